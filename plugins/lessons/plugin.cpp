@@ -6,7 +6,6 @@
 #include "editor/editor_panel.h"
 #include "ew/library/lesson.h"
 #include "ew/sdk/case_parts.h"
-#include "logic/case_at_hand.h"
 #include "panel/player_panel.h"
 
 namespace {
@@ -41,13 +40,13 @@ class LessonsPlugin final : public ew::sdk::Plugin {
  private:
   /// A case that teaches nothing leaves its room to the scan; a lesson may lead through such a case.
   void showPanel(ew::sdk::Host& host) const {
-    const auto opened = ew::lessons::caseAtHand(host);
-    host.panels().setShown("lessons", isWorking_ || (opened && teaches(ew::manifestOf(*opened))));
+    const auto opened = host.cases().forPractice();
+    host.panels().setShown("lessons", isWorking_ || (opened && teaches(*opened)));
   }
-  static bool teaches(const nlohmann::json& manifest) {
-    const auto filled = [](const nlohmann::json& in, const char* key) { return in.is_object() && in.contains(key) && !in[key].empty(); };
-    if (filled(manifest, "targets") || filled(manifest, "measurements")) return true;
-    return filled(manifest, "parts") && filled(manifest["parts"], "lessons") && filled(manifest["parts"]["lessons"], "lessons");
+  static bool teaches(const ew::Case& opened) {
+    if (!opened.targets.empty() || !opened.measurements.empty()) return true;
+    const auto lessons = nlohmann::json::json_pointer("/parts/lessons/lessons");
+    return opened.otherFields.contains(lessons) && !opened.otherFields.at(lessons).empty();
   }
 
   ew::sdk::Ticket section_, changed_, opened_;

@@ -75,13 +75,13 @@ TEST(FacesOfAGrid, AreNoneForBeamsThatEnterObliquely) {
 
 RC_GTEST_PROP(AxesOfACase, AreReadAsTheyWereWritten, ()) {
   const SweepAxes axes = axesOfFaces(anyGrid(), anyDirection())[static_cast<std::size_t>(*rc::gen::inRange(0, 6))];
-  const nlohmann::json manifest = withAxes({{"volume", {{"file", "a.mha"}}}, {"title", "x"}}, axes);
-  const auto read = axesOf(manifest);
+  Case made;
+  made.volume.file = "a.mha";
+  RC_ASSERT(!sweepAxesOf(made).has_value());
+  const auto read = sweepAxesOf(withSweepAxes(made, axes));
   RC_ASSERT(read.has_value());
   RC_ASSERT(glm::distance(read->depth, axes.depth) < 1e-5);
   RC_ASSERT(glm::distance(read->lateral, axes.lateral) < 1e-5);
-  RC_ASSERT(manifest["volume"]["file"] == "a.mha");
-  RC_ASSERT(!axesOf({{"title", "x"}}).has_value());
 }
 
 RC_GTEST_PROP(Handles, CarryTheVolumeWithThem, ()) {

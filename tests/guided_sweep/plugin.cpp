@@ -21,12 +21,10 @@ std::string translated(const char* text) { return QCoreApplication::translate("g
 ew::Result<ew::sdk::Commands::Outcome> describe(ew::sdk::Host& host, const std::vector<std::string>& args) {
   if (args.size() != 1)
     return ew::failure(ew::ErrorCode::badUsage, ew::say<"Name one case. Usage: echoweave guided-sweep CASE/case.json.">());
-  const auto text = host.files().readText(args.front());
-  if (!text) return ew::passOn(text.error());
-  const auto manifest = nlohmann::json::parse(*text, nullptr, false);
-  if (manifest.is_discarded()) return ew::failure(ew::ErrorCode::badHeader, ew::say<"'%1' is not valid JSON.">(args.front()));
-  if (const auto problems = host.cases().check(manifest); !problems.empty()) return ew::passOn(problems.front());
-  const auto section = manifest.value("parts", nlohmann::json::object()).value("guided_sweep", nlohmann::json::object());
+  const auto opened = host.cases().read(args.front());
+  if (!opened) return ew::passOn(opened.error());
+  if (const auto problems = host.cases().check(*opened); !problems.empty()) return ew::passOn(problems.front());
+  const auto section = opened->otherFields.value("parts", nlohmann::json::object()).value("guided_sweep", nlohmann::json::object());
   const auto plan = guided_sweep::planOf(section);
   if (!plan.isWhole())
     return ew::failure(ew::ErrorCode::notFound, ew::say<"The case holds no guided sweep; keep one in the window first.">());

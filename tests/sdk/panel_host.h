@@ -14,15 +14,15 @@ namespace ew::test {
 /// One case in memory with a list of what was done to it, checked as the workstation checks it.
 class OneCase final : public sdk::Cases {
  public:
-  std::optional<nlohmann::json> current() const override { return manifest; }
+  std::optional<Case> current() const override { return opened; }
+  Result<Case> read(const std::filesystem::path& folderOrManifest) const override { return loadCase(folderOrManifest); }
   std::filesystem::path currentFolder() const override { return folder; }
-  std::vector<Error> check(const nlohmann::json& next) const override { return checkManifest(next, {}); }
-  Result<void> edit(const nlohmann::json& next, const std::string& what, const std::string& mergeKey) override {
-    const auto problems = checkManifest(next, {});
-    if (!problems.empty()) return passOn(problems.front());
-    if (done.empty() || mergeKey.empty() || done.back().second != mergeKey) before.push_back(*manifest);
+  std::vector<Error> check(const Case& next) const override { return checkCase(next); }
+  Result<void> edit(const Case& next, const std::string& what, const std::string& mergeKey) override {
+    if (auto problems = check(next); !problems.empty()) return passOn(problems.front());
+    if (done.empty() || mergeKey.empty() || done.back().second != mergeKey) before.push_back(*opened);
     done.emplace_back(what, mergeKey);
-    manifest = next;
+    opened = next;
     unsaved = true;
     tell();
     return {};
@@ -47,7 +47,7 @@ class OneCase final : public sdk::Cases {
     return {nullptr, [this, key](void*) { callbacks_.erase(key); }};
   }
   void undo() {
-    manifest = before.back();
+    opened = before.back();
     before.pop_back();
     tell();
   }
@@ -56,11 +56,11 @@ class OneCase final : public sdk::Cases {
     for (const auto& [key, callback] : copy) callback();
   }
 
-  std::optional<nlohmann::json> manifest;
+  std::optional<Case> opened;  ///< without a folder: its files need not be there
   std::optional<Scan> present;
   std::filesystem::path folder = "/cases/one";
   std::vector<std::pair<std::string, std::string>> done;
-  std::vector<nlohmann::json> before;
+  std::vector<Case> before;
   bool unsaved = false;
   int saves = 0;
 

@@ -48,6 +48,13 @@ class PanelsTest final : public QObject {
     QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(panel.get(), &event);
   }
+  static Case caseCalled(const std::string& title) {
+    Case made;
+    made.id = "x";
+    made.title = title;
+    made.volume.file = "a.mha";
+    return made;
+  }
   static void keepPicture(const std::unique_ptr<QWidget>& panel, const char* name) {
     const QString folder = qEnvironmentVariable("ECHOWEAVE_TEST_PICTURES");
     if (!folder.isEmpty()) panel->grab().save(folder + QLatin1Char('/') + QLatin1String(name));
@@ -65,14 +72,15 @@ class PanelsTest final : public QObject {
   }
 
   void withoutACaseTheFormSaysWhatToDo() {
-    host_.theCase.manifest.reset();
+    host_.theCase.opened.reset();
     const auto panel = open(host_, "case_authoring");
     QVERIFY(!child<QLineEdit>(panel, "title")->isVisible());
     keepPicture(panel, "case-empty.png");
   }
 
   void typingIsOneUndoableStepAField() {
-    host_.theCase.manifest = nlohmann::json{{"format", 1}, {"id", "x"}, {"title", "One"}, {"volume", {{"file", "a.mha"}}}, {"lesson", 4}};
+    host_.theCase.opened = caseCalled("One");
+    host_.theCase.opened->otherFields["lesson"] = 4;
     const auto panel = open(host_, "case_authoring");
     auto* title = child<QLineEdit>(panel, "title");
     QCOMPARE(title->text(), QStringLiteral("One"));
@@ -80,10 +88,10 @@ class PanelsTest final : public QObject {
     title->end(false);
     QTest::keyClicks(title, QStringLiteral(" more"));
     QTest::keyClicks(child<QPlainTextEdit>(panel, "history"), QStringLiteral("pain"));
-    const auto& manifest = *host_.theCase.manifest;
-    QCOMPARE(manifest["title"].get<std::string>(), std::string("One more"));
-    QCOMPARE(manifest["history"].get<std::string>(), std::string("pain"));
-    QCOMPARE(manifest["lesson"].get<int>(), 4);
+    const Case& edited = *host_.theCase.opened;
+    QCOMPARE(edited.title, std::string("One more"));
+    QCOMPARE(edited.history, std::string("pain"));
+    QCOMPARE(edited.otherFields["lesson"].get<int>(), 4);
     QCOMPARE(host_.theCase.before.size(), std::size_t(2));
     QVERIFY(child<QLabel>(panel, "savedMark")->text().contains(QStringLiteral("unsaved changes")));
     host_.theCase.undo();
@@ -94,20 +102,20 @@ class PanelsTest final : public QObject {
 
   void whatTheSchemaRefusesIsSaidBesideTheFieldAndChangesNothing() {
     const auto panel = open(host_, "case_authoring");
-    const auto before = host_.theCase.manifest;
+    const auto before = host_.theCase.opened;
     auto* age = child<QSpinBox>(panel, "patient_age_years");
     age->setValue(400);
     auto* problem = child<QLabel>(panel, "patient_age_years_problem");
     QVERIFY(problem->isVisible());
     QVERIFY2(problem->text().contains(QStringLiteral("130")), qPrintable(problem->text()));
-    QVERIFY(host_.theCase.manifest == before);
+    QVERIFY(host_.theCase.opened == before);
     const int saves = host_.theCase.saves;
     QTest::mouseClick(child<QPushButton>(panel, "save"), Qt::LeftButton);
     QCOMPARE(host_.theCase.saves, saves);
     keepPicture(panel, "case-refused.png");
     age->setValue(46);
     QVERIFY(!problem->isVisible());
-    QCOMPARE((*host_.theCase.manifest)["patient"]["age_years"].get<int>(), 46);
+    QCOMPARE(host_.theCase.opened->patient.age_years.value(), 46);
     QTest::mouseClick(child<QPushButton>(panel, "save"), Qt::LeftButton);
     QCOMPARE(host_.theCase.saves, saves + 1);
     QVERIFY(!child<QLabel>(panel, "savedMark")->text().contains(QStringLiteral("not")));
@@ -115,19 +123,19 @@ class PanelsTest final : public QObject {
 
   void theDigitsOnTheWayToARefusedNumberDoNotStayInTheCase() {
     const auto panel = open(host_, "case_authoring");
-    const auto before = host_.theCase.manifest;
+    const auto before = host_.theCase.opened;
     auto* age = child<QSpinBox>(panel, "patient_age_years");
     age->setFocus();
     age->selectAll();
     QTest::keyClicks(age, QStringLiteral("999"));
     QCOMPARE(age->value(), 999);
     QVERIFY(child<QLabel>(panel, "patient_age_years_problem")->isVisible());
-    QVERIFY2(host_.theCase.manifest == before, host_.theCase.manifest->dump().c_str());
+    QVERIFY2(host_.theCase.opened == before, manifestOf(*host_.theCase.opened).dump().c_str());
     auto* title = child<QLineEdit>(panel, "title");
     title->setFocus();
     while (!title->text().isEmpty()) QTest::keyClick(title, Qt::Key_Backspace);
     QVERIFY(child<QLabel>(panel, "title_problem")->isVisible());
-    QVERIFY2(host_.theCase.manifest == before, host_.theCase.manifest->dump().c_str());
+    QVERIFY2(host_.theCase.opened == before, manifestOf(*host_.theCase.opened).dump().c_str());
   }
 
   void undoInAFieldIsTheCasesOwn() {
@@ -153,19 +161,20 @@ class PanelsTest final : public QObject {
     child<QDoubleSpinBox>(panel, "placement_x")->setValue(12.5);
     child<QDoubleSpinBox>(panel, "placement_rz")->setValue(90);
     const std::vector<double> expected = {0, -1, 0, 12.5, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    QVERIFY((*host_.theCase.manifest)["volume"]["file_to_world"].get<std::vector<double>>() == expected);
+    const auto rows = rowsOf(host_.theCase.opened->volume.fileToWorld);
+    QVERIFY(std::equal(rows.begin(), rows.end(), expected.begin(), expected.end()));
     keepPicture(panel, "place-form.png");
   }
 
   void theStartPoseIsTakenFromTheScanAndSaidWhenItSeesNothing() {
-    host_.theCase.manifest = nlohmann::json{{"format", 1}, {"id", "x"}, {"title", "One"}, {"volume", {{"file", "a.mha"}}}};
+    host_.theCase.opened = caseCalled("One");
     host_.theCase.present.reset();
     const auto panel = open(host_, "case_authoring");
     auto* take = child<QPushButton>(panel, "takeStartPose");
     auto* remark = child<QLabel>(panel, "startRemark");
     take->click();
     QVERIFY(child<QLabel>(panel, "problem")->isVisible());  // nothing is scanned: there is nothing to take
-    QVERIFY(!host_.theCase.manifest->contains("start_pose"));
+    QVERIFY(!host_.theCase.opened->startPose);
     // 100 mm cube at the origin, the probe on its upper face, looking along +y.
     sdk::Cases::Scan scan;
     scan.probe = "linear-12";
@@ -175,7 +184,7 @@ class PanelsTest final : public QObject {
     scan.volume.dims = {101, 101, 101};
     host_.theCase.present = scan;
     take->click();
-    QCOMPARE((*host_.theCase.manifest)["start_pose"].get<std::vector<double>>()[3], 50.0);
+    QCOMPARE(host_.theCase.opened->startPose.value().probeToWorld.matrix[3][0], 50.0);
     QVERIFY(!remark->isVisible());
     const std::size_t steps = host_.theCase.before.size();
     scan.volume.origin_mm = {500.0, 0.0, 0.0};  // the volume was moved away
@@ -187,47 +196,44 @@ class PanelsTest final : public QObject {
     QTest::mouseClick(child<QPushButton>(panel, "save"), Qt::LeftButton);
     QCOMPARE(host_.theCase.saves, saves + 1);  // a remark forbids nothing
     child<QPushButton>(panel, "removeStartPose")->click();
-    QVERIFY(!host_.theCase.manifest->contains("start_pose"));
+    QVERIFY(!host_.theCase.opened->startPose);
     QVERIFY(!remark->isVisible());
     QCOMPARE(host_.theCase.before.size(), steps + 1);
     host_.theCase.undo();
-    QVERIFY(host_.theCase.manifest->contains("start_pose"));
+    QVERIFY(host_.theCase.opened->startPose.has_value());
     host_.theCase.present.reset();
   }
 
   void probesMannequinAndWhatWasFoundBeforeAreEdited() {
-    host_.theCase.manifest =
-        nlohmann::json{{"format", 1},
-                       {"id", "x"},
-                       {"title", "One"},
-                       {"volume", {{"file", "a.mha"}}},
-                       {"probes", {"linear-12"}},
-                       {"previous_examinations", {{{"when", "in May"}, {"kind", "ultrasound"}, {"findings", "a stone"}, {"by", 7}}}}};
+    Case shown = caseCalled("One");
+    shown.probes = {"linear-12"};
+    shown.previousExaminations = {{"in May", "ultrasound", "a stone", {}, {{"by", 7}}}};
+    host_.theCase.opened = shown;
     const auto panel = open(host_, "case_authoring");
-    const auto& manifest = *host_.theCase.manifest;
+    const Case& edited = *host_.theCase.opened;
     QVERIFY(child<QCheckBox>(panel, "probe_linear-12")->isChecked());
     child<QCheckBox>(panel, "probe_convex-3.5")->click();
-    QVERIFY(manifest["probes"] == nlohmann::json({"linear-12", "convex-3.5"}));  // the first stays the one at the start
+    QVERIFY((edited.probes == std::vector<std::string>{"linear-12", "convex-3.5"}));  // the first stays the one at the start
     child<QComboBox>(panel, "mannequin")->setCurrentIndex(2);
-    QCOMPARE(manifest["mannequin"].get<std::string>(), std::string("gravid.json"));
+    QCOMPARE(edited.mannequin, std::string("gravid.json"));
     QTest::keyClicks(child<QPlainTextEdit>(panel, "findings"), QStringLiteral("One stone."));
-    QVERIFY(manifest["findings"] == nlohmann::json({"One stone."}));
+    QVERIFY(edited.findings == std::vector<std::string>{"One stone."});
     QTest::keyClicks(child<QLineEdit>(panel, "examination_0_when"), QStringLiteral(" 2020"));
-    QCOMPARE(manifest["previous_examinations"][0]["when"].get<std::string>(), std::string("in May 2020"));
-    QCOMPARE(manifest["previous_examinations"][0]["by"].get<int>(), 7);
+    QCOMPARE(edited.previousExaminations[0].when, std::string("in May 2020"));
+    QCOMPARE(edited.previousExaminations[0].otherFields["by"].get<int>(), 7);
     child<QPushButton>(panel, "addExamination")->click();
     QTest::keyClicks(child<QLineEdit>(panel, "examination_1_kind"), QStringLiteral("x-ray"));
-    QCOMPARE(manifest["previous_examinations"][1]["kind"].get<std::string>(), std::string("x-ray"));
+    QCOMPARE(edited.previousExaminations[1].kind, std::string("x-ray"));
     child<QPushButton>(panel, "examination_0_remove")->click();
-    QCOMPARE(manifest["previous_examinations"].size(), std::size_t(1));
+    QCOMPARE(edited.previousExaminations.size(), std::size_t(1));
     QTest::keyClicks(child<QLineEdit>(panel, "volume_licence"), QStringLiteral("CC BY 4.0"));
-    QCOMPARE(manifest["volume"]["licence"].get<std::string>(), std::string("CC BY 4.0"));
+    QCOMPARE(edited.otherFields["volume"]["licence"].get<std::string>(), std::string("CC BY 4.0"));
     keepPicture(panel, "case-lists.png");
   }
 
   void aCheckNamesProbesThatNobodyHasAndSaysWhenAllIsWell() {
-    host_.theCase.manifest =
-        nlohmann::json{{"format", 1}, {"id", "x"}, {"title", "One"}, {"volume", {{"file", "a.mha"}}}, {"probes", {"nosuch", "linear-12"}}};
+    host_.theCase.opened = caseCalled("One");
+    host_.theCase.opened->probes = {"nosuch", "linear-12"};
     const auto panel = open(host_, "case_authoring");
     child<QPushButton>(panel, "checkCase")->click();
     QVERIFY2(child<QLabel>(panel, "problem")->text().contains(QStringLiteral("nosuch")),

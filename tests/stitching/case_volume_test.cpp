@@ -5,29 +5,38 @@
 namespace ew::stitching::case_volume_test {
 namespace {
 
-using nlohmann::json;
-
 Error about(const std::string& field) { return {ErrorCode::badField, verbatim("'" + field + "' is wrong."), {{"field", field}}}; }
 
 /// As the host checks: targets without a place and measurements need a recipe.
-std::vector<Error> check(const json& manifest) {
+std::vector<Error> check(const Case& edited) {
   std::vector<Error> problems;
-  if (manifest["title"] == "") problems.push_back(about("title"));
-  if (manifest["volume"].contains("recipe")) return problems;
+  if (edited.title.empty()) problems.push_back(about("title"));
+  if (!edited.volume.recipe.empty()) return problems;
   problems.push_back(about("volume.file"));
-  const json none = json::array();
-  const json& targets = manifest.contains("targets") ? manifest["targets"] : none;
-  for (std::size_t n = 0; n < targets.size(); ++n)
-    if (!targets[n].contains("at_mm")) problems.push_back(about("targets[" + std::to_string(n) + "]"));
-  if (manifest.contains("measurements")) problems.push_back(about("measurements"));
+  for (std::size_t n = 0; n < edited.targets.size(); ++n)
+    if (!edited.targets[n].at_mm) problems.push_back(about("targets[" + std::to_string(n) + "]"));
+  if (!edited.measurements.empty()) problems.push_back(about("measurements"));
   return problems;
 }
 
-json recipeCase() {
-  return {{"title", "aorta"},
-          {"volume", {{"recipe", "patient.json"}, {"file_to_world", {1, 2, 3}}, {"sweeps", {"a.json"}}}},
-          {"targets", {{{"name", "plane"}}, {{"name", "point"}, {"at_mm", {1, 2, 3}}}, {{"name", "organ"}}}},
-          {"measurements", {{{"name", "width"}}, {{"name", "height"}}}}};
+CaseTarget target(const std::string& name, std::optional<glm::dvec3> at_mm = {}) {
+  CaseTarget made;
+  made.kind = at_mm ? CaseTarget::Kind::point : CaseTarget::Kind::structure;
+  made.name = name;
+  made.at_mm = at_mm;
+  return made;
+}
+
+Case recipeCase() {
+  Case made;
+  made.title = "aorta";
+  made.volume.recipe = "patient.json";
+  made.volume.recipeSpacing_mm = 0.8;
+  made.volume.sweeps = {"a.json"};
+  made.volume.fileToWorld.matrix[3] = glm::dvec4(1.0, 2.0, 3.0, 1.0);
+  made.targets = {target("plane"), target("point", glm::dvec3(1.0, 2.0, 3.0)), target("organ")};
+  made.measurements.resize(2);
+  return made;
 }
 
 TEST(CaseVolume, LeavesOutWhatOnlyTheRecipesPatientKnewAndCountsIt) {
@@ -35,23 +44,27 @@ TEST(CaseVolume, LeavesOutWhatOnlyTheRecipesPatientKnewAndCountsIt) {
   EXPECT_TRUE(made.problems.empty()) << made.problems.front();
   EXPECT_EQ(made.targets, 2u);
   EXPECT_EQ(made.measurements, 2u);
-  EXPECT_EQ(made.manifest["targets"], json({{{"name", "point"}, {"at_mm", {1, 2, 3}}}}));
-  EXPECT_FALSE(made.manifest.contains("measurements"));
-  EXPECT_EQ(made.manifest["volume"],
-            json({{"file", "volumes/stitched.mha"}, {"level", "volumes/stitched-level.mha"}, {"file_to_world", {1, 2, 3}}}));
-  EXPECT_EQ(made.manifest["title"], "aorta");
+  Case expected = recipeCase();
+  expected.targets = {target("point", glm::dvec3(1.0, 2.0, 3.0))};
+  expected.measurements.clear();
+  expected.volume = {};
+  expected.volume.file = "volumes/stitched.mha";
+  expected.volume.level = "volumes/stitched-level.mha";
+  expected.volume.fileToWorld = recipeCase().volume.fileToWorld;
+  EXPECT_EQ(made.edited, expected);
 }
 
 TEST(CaseVolume, LeavesACaseOfAFileAsItIsButForTheVolume) {
-  json manifest = recipeCase();
-  manifest.erase("measurements");
-  manifest["volume"] = {{"file", "old.mha"}};
-  manifest["targets"] = json::array({manifest["targets"][1]});
-  const auto made = caseWithVolume(manifest, {"new.mha", ""}, check);
+  Case opened = recipeCase();
+  opened.measurements.clear();
+  opened.volume = {};
+  opened.volume.file = "old.mha";
+  opened.targets = {recipeCase().targets[1]};
+  const auto made = caseWithVolume(opened, {"new.mha", ""}, check);
   EXPECT_TRUE(made.problems.empty());
   EXPECT_EQ(made.targets + made.measurements, 0u);
-  manifest["volume"] = {{"file", "new.mha"}};
-  EXPECT_EQ(made.manifest, manifest);
+  opened.volume.file = "new.mha";
+  EXPECT_EQ(made.edited, opened);
 }
 
 /// A box of 10 mm, its first voxel at `at_mm`.
@@ -63,17 +76,16 @@ Grid gridAt(double at_mm) {
   return grid;
 }
 
-json fileCase() {
-  return {{"title", "my knee"},
-          {"volume",
-           {{"file", "old.mha"},
-            {"labels", "labels.mha"},
-            {"level", "old-level.mha"},
-            {"attribution", "Example University"},
-            {"licence", "CC BY 4.0"},
-            {"depth_direction", {0, 1, 0}},
-            {"file_to_world", {1, 0, 0, 7, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}},
-          {"targets", {{{"name", "structure"}}}}};
+Case fileCase() {
+  Case made;
+  made.title = "my knee";
+  made.volume.file = "old.mha";
+  made.volume.labels = "labels.mha";
+  made.volume.level = "old-level.mha";
+  made.volume.fileToWorld.matrix[3] = glm::dvec4(7.0, 0.0, 0.0, 1.0);
+  made.otherFields["volume"] = {{"attribution", "Example University"}, {"licence", "CC BY 4.0"}, {"depth_direction", {0, 1, 0}}};
+  made.targets = {target("structure")};
+  return made;
 }
 
 TEST(CaseVolume, KeepsWhomToNameAndTheLicenceOfACaseOfAFileAndSaysWhatItsVolumeHad) {
@@ -82,29 +94,30 @@ TEST(CaseVolume, KeepsWhomToNameAndTheLicenceOfACaseOfAFileAndSaysWhatItsVolumeH
   EXPECT_TRUE(made.hadLabels);
   EXPECT_EQ(made.targets, 1u);
   EXPECT_FALSE(made.isMoved);
-  json expected = fileCase()["volume"];
-  expected.erase("labels");
-  expected["file"] = "new.mha";
-  expected["level"] = "new-level.mha";
-  EXPECT_EQ(made.manifest["volume"], expected);
+  CaseVolume expected = fileCase().volume;
+  expected.labels.clear();
+  expected.file = "new.mha";
+  expected.level = "new-level.mha";
+  EXPECT_EQ(made.edited.volume, expected);
+  EXPECT_EQ(made.edited.otherFields, fileCase().otherFields);
   EXPECT_TRUE(caseWithVolume(recipeCase(), {"new.mha", ""}, check).hadRecipe);
 }
 
 TEST(CaseVolume, PutsAVolumeOfAnotherRecordingWhereTheOneBeforeLay) {
   const auto made = caseWithVolume(fileCase(), {"new.mha", "", std::pair(gridAt(0.0), gridAt(500.0))}, check);
   EXPECT_TRUE(made.isMoved);
-  EXPECT_EQ(made.manifest["volume"]["file_to_world"], json({1, 0, 0, -493.0, 0, 1, 0, 0.0, 0, 0, 1, 0.0, 0, 0, 0, 1}));
+  EXPECT_EQ(made.edited.volume.fileToWorld.matrix[3], glm::dvec4(-493.0, 0.0, 0.0, 1.0));
   // Without a place it lies at its own coordinates, and so did the one before.
-  json manifest = fileCase();
-  manifest["volume"].erase("file_to_world");
-  EXPECT_EQ(caseWithVolume(manifest, {"new.mha", "", std::pair(gridAt(0.0), gridAt(-500.0))}, check).manifest["volume"]["file_to_world"][3],
-            json(500.0));
+  Case unplaced = fileCase();
+  unplaced.volume.fileToWorld = {};
+  EXPECT_EQ(caseWithVolume(unplaced, {"new.mha", "", std::pair(gridAt(0.0), gridAt(-500.0))}, check).edited.volume.fileToWorld.matrix[3],
+            glm::dvec4(500.0, 0.0, 0.0, 1.0));
 }
 
 TEST(CaseVolume, TellsWhatStaysWrong) {
-  json manifest = recipeCase();
-  manifest["title"] = "";
-  const auto made = caseWithVolume(manifest, {"new.mha", ""}, check);
+  Case untitled = recipeCase();
+  untitled.title.clear();
+  const auto made = caseWithVolume(untitled, {"new.mha", ""}, check);
   ASSERT_EQ(made.problems.size(), 1u);
   EXPECT_EQ(made.problems[0].context[0].second, "title");
 }

@@ -226,10 +226,10 @@ class Program {
     open(open_ == "a" ? "b" : "a");
   }
   void editTitle() {
-    json manifest = document_.manifest();
+    Case changed = *document_.current();
     const std::string next = model_.word();
-    manifest["title"] = next;
-    sure(document_.edit(manifest, "Change the title", {}));
+    changed.title = next;
+    sure(document_.edit(changed, "Change the title", {}));
     if (clean_ > now_) clean_ = -1;
     titles_.resize(static_cast<std::size_t>(now_) + 1);
     titles_.push_back(next);
@@ -269,7 +269,7 @@ class Program {
       if (said == 2 || (said == 0 && document_.hasUnsavedChanges())) continue;
       if (said == 0) {
         open(entry["case"]);
-        sure(document_.restore(each.manifest, "Take over", each.asRead));
+        sure(document_.restore(sure(caseFromManifest(each.manifest, each.caseFolder)), "Take over", each.asRead));
         if (title() != titles_.back()) {
           titles_.push_back(title());
           ++now_;

@@ -1,36 +1,19 @@
 #include "logic/measurements.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "ew/core/figure.h"
-#include "ew/core/foreign_json.h"
 
 namespace ew::case_authoring {
 namespace {
 
-/// What calipers call a figure, what a case calls it, and the unit in which a case keeps it.
-struct FigureKind {
-  std::string_view figure;
-  std::string_view kind;
-  std::string_view unit;
-};
-constexpr std::array<FigureKind, 4> kFigureKinds = {
-    FigureKind{"length", "distance", "mm"},
-    {"circumference", "circumference", "mm"},
-    {"area", "area", "cm2"},
-    {"angle", "angle", "deg"},
-};
-
-const FigureKind* kindOf(const Figure& figure) {
-  const auto found = std::find_if(kFigureKinds.begin(), kFigureKinds.end(),
-                                  [&](const FigureKind& each) { return each.figure == figure.name && each.unit == figure.unit; });
-  return found == kFigureKinds.end() ? nullptr : &*found;
+const MeasurementKind* kindOf(const Figure& figure) {
+  const auto found = std::find_if(kMeasurementKinds.begin(), kMeasurementKinds.end(),
+                                  [&](const MeasurementKind& each) { return each.figure == figure.name && each.unit == figure.unit; });
+  return found == kMeasurementKinds.end() ? nullptr : &*found;
 }
 
 /// To the hundredth: calipers are not set finer.
@@ -38,22 +21,21 @@ double rounded(double value) { return std::round(value * 100.0) / 100.0; }
 
 }  // namespace
 
-Result<nlohmann::json> withCaliper(nlohmann::json expected, const std::vector<sdk::ScanMeasurement>& drawn,
-                                   const Transform<frame::File, frame::Probe>& probeToFile) {
-  const std::string wanted = textAt(expected, "kind");
+Result<CaseMeasurement> withCaliper(CaseMeasurement expected, const std::vector<sdk::ScanMeasurement>& drawn,
+                                    const Transform<frame::File, frame::Probe>& probeToFile) {
+  const std::string wanted = expected.kind;
   for (auto measured = drawn.rbegin(); measured != drawn.rend(); ++measured) {
     for (const auto& figure : measured->figures) {
-      const FigureKind* kind = kindOf(figure);
+      const MeasurementKind* kind = kindOf(figure);
       if (kind == nullptr || (!wanted.empty() && wanted != kind->kind)) continue;
-      expected["value"] = rounded(figure.value);
-      expected["kind"] = kind->kind;
-      expected["unit"] = kind->unit;
-      nlohmann::json points = nlohmann::json::array();
+      expected.value = rounded(figure.value);
+      expected.kind = kind->kind;
+      expected.unit = kind->unit;
+      expected.points_mm.clear();
       for (const Point<frame::Probe>& at : measured->points) {
-        const Point<frame::File> p_file = probeToFile * at;
-        points.push_back({rounded(p_file.at.x), rounded(p_file.at.y), rounded(p_file.at.z)});
+        const glm::dvec3 at_mm = (probeToFile * at).at;
+        expected.points_mm.emplace_back(rounded(at_mm.x), rounded(at_mm.y), rounded(at_mm.z));
       }
-      expected["points_mm"] = std::move(points);
       return expected;
     }
   }
@@ -62,7 +44,5 @@ Result<nlohmann::json> withCaliper(nlohmann::json expected, const std::vector<sd
   return failure(ErrorCode::badUsage,
                  say<"No caliper in the image measures this kind of figure; draw one that does, or choose another kind.">());
 }
-
-bool hasValue(const nlohmann::json& expected) { return expected.is_object() && expected.contains("value"); }
 
 }  // namespace ew::case_authoring

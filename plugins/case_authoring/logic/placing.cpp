@@ -8,8 +8,6 @@
 #include <map>
 #include <utility>
 
-#include "logic/edits.h"
-
 namespace ew::case_authoring {
 namespace {
 
@@ -57,18 +55,6 @@ std::vector<glm::dvec3> spreadOver(const PlacingShape& shape, std::size_t most) 
 }
 
 }  // namespace
-
-std::optional<SweepAxes> axesOf(const nlohmann::json& manifest) {
-  Case read;
-  read.otherFields = manifest;
-  return sweepAxesOf(read);
-}
-
-nlohmann::json withAxes(nlohmann::json manifest, const SweepAxes& axes) {
-  Case edited;
-  edited.otherFields = std::move(manifest);
-  return withSweepAxes(std::move(edited), axes).otherFields;
-}
 
 std::optional<std::size_t> faceOf(const Grid& own, const SweepAxes& axes) {
   for (std::size_t face = 0; face < 6; ++face)

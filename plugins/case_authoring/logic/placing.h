@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,10 +14,6 @@ namespace ew::case_authoring {
 
 using FilePlace = Transform<frame::World, frame::File>;
 using HandlesPose = Transform<frame::World, sdk::BodyHandles::Frame>;
-
-/// Which directions of the volume are those of the probe, as the case says; nothing where it does not.
-[[nodiscard]] std::optional<SweepAxes> axesOf(const nlohmann::json& manifest);
-[[nodiscard]] nlohmann::json withAxes(nlohmann::json manifest, const SweepAxes& axes);
 
 /// Which of the six faces the beams of `axes` enter squarely, within 2 degrees; nothing when they are oblique to all.
 [[nodiscard]] std::optional<std::size_t> faceOf(const Grid& own, const SweepAxes& axes);

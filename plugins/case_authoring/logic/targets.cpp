@@ -2,29 +2,19 @@
 
 #include <algorithm>
 #include <array>
-
-#include "logic/edits.h"
+#include <utility>
 
 namespace ew::case_authoring {
 namespace {
 
 using nlohmann::json;
 
-json targetsIn(const json& manifest) {
-  auto list = fieldOf(manifest, "targets");
-  return list.is_array() ? list : json::array();
-}
-
-json withTargets(json manifest, json list) {
-  return withField(std::move(manifest), "targets", list.empty() ? std::nullopt : std::optional<json>(std::move(list)));
-}
-
 /// Calls `call(text)` for each place in the steps of lessons that names a target.
 template <class Json, class Call>
-void eachName(Json& manifest, const Call& call) {
+void eachName(Json& otherFields, const Call& call) {
   const json::json_pointer lessonsAt("/parts/lessons/lessons");
-  if (!manifest.contains(lessonsAt) || !manifest[lessonsAt].is_array()) return;
-  for (auto& lesson : manifest[lessonsAt]) {
+  if (!otherFields.contains(lessonsAt) || !otherFields[lessonsAt].is_array()) return;
+  for (auto& lesson : otherFields[lessonsAt]) {
     if (!lesson.is_object() || !lesson.contains("steps") || !lesson["steps"].is_array()) continue;
     for (auto& step : lesson["steps"]) {
       if (!step.is_object() || step.contains("case")) continue;
@@ -36,132 +26,91 @@ void eachName(Json& manifest, const Call& call) {
   }
 }
 
+bool isNamed(const Case& shown, const std::string& name) {
+  return std::any_of(shown.targets.begin(), shown.targets.end(), [&](const CaseTarget& each) { return each.name == name; });
+}
+
 }  // namespace
 
-std::size_t targetCount(const json& manifest) { return targetsIn(manifest).size(); }
-
-json targetAt(const json& manifest, std::size_t number) {
-  const json list = targetsIn(manifest);
-  return number < list.size() ? list[number] : json();
+const CaseTarget* targetAt(const Case& shown, std::size_t number) {
+  return number < shown.targets.size() ? &shown.targets[number] : nullptr;
 }
 
-std::string kindOf(const json& target) { return textOf(target, "kind"); }
-
-json pointTarget(const std::string& name, const glm::dvec3& at_mm) {
-  return {{"kind", "point"}, {"name", name}, {"at_mm", {at_mm.x, at_mm.y, at_mm.z}}, {"tolerance_mm", 5.0}};
+CaseTarget pointTarget(const std::string& name, const glm::dvec3& at_mm) {
+  return {.kind = CaseTarget::Kind::point, .name = name, .at_mm = at_mm, .tolerance_mm = 5.0};
 }
-json planeTarget(const std::string& name, const Transform<frame::File, frame::Probe>& probeToFile) {
-  return {{"kind", "plane"},
-          {"name", name},
-          {"probe_to_world", rowsOf(probeToFile)},
-          {"position_tolerance_mm", 5.0},
-          {"angle_tolerance_deg", 10.0}};
+CaseTarget planeTarget(const std::string& name, const Transform<frame::File, frame::Probe>& probeToFile) {
+  return {
+      .kind = CaseTarget::Kind::plane, .name = name, .probeToFile = probeToFile, .positionTolerance_mm = 5.0, .angleTolerance_deg = 10.0};
 }
-json structureTarget(const std::string& name, int label) { return {{"kind", "structure"}, {"name", name}, {"label", label}}; }
-json organTarget(const std::string& name, const std::string& organ) { return {{"kind", "structure"}, {"name", name}, {"organ", organ}}; }
-
-json withTargetAdded(json manifest, const json& target) {
-  json list = targetsIn(manifest);
-  list.push_back(target);
-  return withTargets(std::move(manifest), std::move(list));
+CaseTarget structureTarget(const std::string& name, int label) {
+  return {.kind = CaseTarget::Kind::structure, .name = name, .label = label};
+}
+CaseTarget organTarget(const std::string& name, const std::string& organ) {
+  return {.kind = CaseTarget::Kind::structure, .name = name, .organ = organ};
 }
 
-json withTarget(json manifest, std::size_t number, const json& target) {
-  json list = targetsIn(manifest);
-  if (number >= list.size()) return manifest;
-  list[number] = target;
-  return withTargets(std::move(manifest), std::move(list));
+Case withTargetAdded(Case edited, CaseTarget target) {
+  edited.targets.push_back(std::move(target));
+  return edited;
 }
 
-json withoutTarget(json manifest, std::size_t number) {
-  json list = targetsIn(manifest);
-  if (number >= list.size()) return manifest;
-  list.erase(number);
-  return withTargets(std::move(manifest), std::move(list));
+Case withTarget(Case edited, std::size_t number, const std::function<void(CaseTarget&)>& change) {
+  if (number < edited.targets.size()) change(edited.targets[number]);
+  return edited;
 }
 
-json withTargetMoved(json manifest, std::size_t from, std::size_t to) {
-  json list = targetsIn(manifest);
-  if (from >= list.size() || to >= list.size() || from == to) return manifest;
-  const json moved = list[from];
-  list.erase(from);
+Case withoutTarget(Case edited, std::size_t number) {
+  if (number < edited.targets.size()) edited.targets.erase(edited.targets.begin() + static_cast<std::ptrdiff_t>(number));
+  return edited;
+}
+
+Case withTargetMoved(Case edited, std::size_t from, std::size_t to) {
+  auto& list = edited.targets;
+  if (from >= list.size() || to >= list.size() || from == to) return edited;
+  const CaseTarget moved = list[from];
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(from));
   list.insert(list.begin() + static_cast<std::ptrdiff_t>(to), moved);
-  return withTargets(std::move(manifest), std::move(list));
+  return edited;
 }
 
-json withTargetRenamed(json manifest, std::size_t number, const std::string& name) {
-  json target = targetAt(manifest, number);
-  if (target.is_null()) return manifest;
-  const std::string before = textOf(target, "name");
-  target["name"] = name;
-  json renamed = withTarget(std::move(manifest), number, target);
+Case withTargetRenamed(Case edited, std::size_t number, const std::string& name) {
+  if (number >= edited.targets.size()) return edited;
+  const std::string before = std::exchange(edited.targets[number].name, name);
   // Names need not differ: while another target has the old one, steps may mean that.
-  const json list = targetsIn(renamed);
-  const bool isShared = std::any_of(list.begin(), list.end(), [&](const json& each) { return textOf(each, "name") == before; });
-  if (!isShared && !before.empty())
-    eachName(renamed, [&](json& named) {
+  if (!isNamed(edited, before) && !before.empty())
+    eachName(edited.otherFields, [&](json& named) {
       if (named == before) named = name;
     });
-  return renamed;
+  return edited;
 }
 
-std::size_t stepsNaming(const json& manifest, const std::string& target) {
+std::size_t stepsNaming(const Case& shown, const std::string& target) {
   std::size_t count = 0;
-  eachName(manifest, [&](const json& named) { count += named == target ? 1 : 0; });
+  eachName(shown.otherFields, [&](const json& named) { count += named == target ? 1 : 0; });
   return count;
 }
 
-std::string freeTargetName(const json& manifest, const std::string& wished) {
-  const json list = targetsIn(manifest);
-  const auto isTaken = [&](const std::string& name) {
-    return std::any_of(list.begin(), list.end(), [&](const json& each) { return textOf(each, "name") == name; });
-  };
+std::string freeTargetName(const Case& shown, const std::string& wished) {
   std::string name = wished;
-  for (int number = 2; isTaken(name); ++number) name = wished + " " + std::to_string(number);
+  for (int number = 2; isNamed(shown, name); ++number) name = wished + " " + std::to_string(number);
   return name;
 }
 
-std::optional<glm::dvec3> pointOf(const json& target) {
-  const json at = fieldOf(target, "at_mm");
-  if (!at.is_array() || at.size() != 3 || !std::all_of(at.begin(), at.end(), [](const json& n) { return n.is_number(); }))
-    return std::nullopt;
-  return glm::dvec3(at[0].get<double>(), at[1].get<double>(), at[2].get<double>());
+bool isLabelled(const Case& shown, int label) {
+  return std::any_of(shown.targets.begin(), shown.targets.end(), [&](const CaseTarget& each) { return each.label == label; });
 }
 
-std::optional<Transform<frame::File, frame::Probe>> planeOf(const json& target) {
-  const json rows = fieldOf(target, "probe_to_world");
-  if (!rows.is_array() || rows.size() != 16 || !std::all_of(rows.begin(), rows.end(), [](const json& n) { return n.is_number(); }))
-    return std::nullopt;
-  return Transform<frame::File, frame::Probe>{matrixFromRows(rows.get<std::array<double, 16>>())};
-}
+bool hasPatient(const Case& shown) { return !shown.volume.recipe.empty(); }
 
-std::optional<int> labelOf(const json& target) {
-  const json label = fieldOf(target, "label");
-  return label.is_number_integer() ? std::optional(label.get<int>()) : std::nullopt;
-}
-
-double numberOf(const json& target, const char* key, double otherwise) {
-  const json number = fieldOf(target, key);
-  return number.is_number() ? number.get<double>() : otherwise;
-}
-
-bool isLabelled(const json& manifest, int label) {
-  const json list = targetsIn(manifest);
-  return std::any_of(list.begin(), list.end(), [&](const json& each) { return labelOf(each) == label; });
-}
-
-bool hasPatient(const json& manifest) { return fieldOf(manifest, "volume.recipe").is_string(); }
-
-int freeLabel(const json& manifest, const Volume* labels) {
+int freeLabel(const Case& shown, const Volume* labels) {
   std::array<bool, 256> isTaken{};
   isTaken[0] = true;
-  const auto take = [&](const json& list) {
-    if (!list.is_array()) return;
-    for (const json& each : list)
-      if (const auto label = labelOf(each); label && *label >= 0 && *label < 256) isTaken[static_cast<std::size_t>(*label)] = true;
+  const auto take = [&](int label) {
+    if (label >= 0 && label < 256) isTaken[static_cast<std::size_t>(label)] = true;
   };
-  take(targetsIn(manifest));
-  take(fieldOf(manifest, "scene.tissues"));
+  for (const CaseTarget& each : shown.targets) take(each.label.value_or(0));
+  for (const TissueAcoustics& each : shown.scene.tissues) take(each.label);
   if (labels != nullptr)
     for (const std::uint8_t label : labels->echo) isTaken[label] = true;
   const auto free = std::find(isTaken.begin(), isTaken.end(), false);

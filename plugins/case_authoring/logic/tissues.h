@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "ew/core/translatable.h"
+#include "ew/library/case_values.h"
 
 namespace ew::case_authoring {
 
@@ -20,13 +20,13 @@ struct NamedTissue {
 inline constexpr const char* kTissueTexts = "ew::case_authoring::NamedTissue";
 [[nodiscard]] std::span<const NamedTissue> namedTissues();
 
-/// The named tissue that the manifest gives a label; empty when it gives none, or other numbers than any of them has (see hasTissue).
-[[nodiscard]] std::optional<std::size_t> tissueOf(const nlohmann::json& manifest, int label);
-[[nodiscard]] bool hasTissue(const nlohmann::json& manifest, int label);
+/// The named tissue that the case gives a label; empty when it gives none, or other numbers than any of them has (see hasTissue).
+[[nodiscard]] std::optional<std::size_t> tissueOf(const Case& shown, int label);
+[[nodiscard]] bool hasTissue(const Case& shown, int label);
 
-/// The manifest with a label's tissue; empty: grey levels decide what sound loses there. A tissue needs the scene's shadows: they are
+/// The case with a label's tissue; empty: grey levels decide what sound loses there. A tissue needs the scene's shadows: they are
 /// switched on with it.
 /// @param name of the structure, for those who read the scene
-[[nodiscard]] nlohmann::json withTissue(nlohmann::json manifest, int label, const std::string& name, std::optional<std::size_t> tissue);
+[[nodiscard]] Case withTissue(Case edited, int label, const std::string& name, std::optional<std::size_t> tissue);
 
 }  // namespace ew::case_authoring

@@ -16,13 +16,12 @@
 #include <algorithm>
 
 #include "ew/imaging/effect_info.h"
-#include "ew/library/case.h"
+#include "ew/library/case_start.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "panel/fields.h"
 #include "panel/section.h"
 
@@ -142,11 +141,11 @@ Section* CasePanel::addSection(const QString& id, const QString& title) {
 
 void CasePanel::addCaseSection() {
   QFormLayout* form = &addSection(QStringLiteral("case"), tr("Case"))->form();
-  addLine(form, "title", tr("Title"), tr("Change the title"));
-  addLine(form, "title_for_trainees", tr("For trainees"), tr("Change the title for trainees"));
-  addLine(form, "region", tr("Region"), tr("Change the region"));
+  addLine(form, "title", fieldAt(&Case::title), tr("Title"), tr("Change the title"));
+  addLine(form, "title_for_trainees", fieldAt(&Case::titleForTrainees), tr("For trainees"), tr("Change the title for trainees"));
+  addLine(form, "region", fieldAt(&Case::region), tr("Region"), tr("Change the region"));
   addDifficulty(form);
-  addLines(form, "tags", tr("Tags"), tr("Change the tags"));
+  addLines(form, "tags", fieldAt(&Case::tags), tr("Tags"), tr("Change the tags"));
 }
 
 void CasePanel::addPatientSection() {
@@ -158,18 +157,18 @@ void CasePanel::addPatientSection() {
 
 void CasePanel::addBeforeSection() {
   QFormLayout* form = &addSection(QStringLiteral("before"), tr("Before the examination"))->form();
-  addText(form, "complaint", tr("Complaint"), tr("Change the complaint"));
-  addText(form, "history", tr("History"), tr("Change the history"));
-  addText(form, "indication", tr("Indication"), tr("Change the indication"));
+  addText(form, "complaint", fieldAt(&Case::complaint), tr("Complaint"), tr("Change the complaint"));
+  addText(form, "history", fieldAt(&Case::history), tr("History"), tr("Change the history"));
+  addText(form, "indication", fieldAt(&Case::indication), tr("Indication"), tr("Change the indication"));
   addExaminations(form);
   addLaboratory(form);
 }
 
 void CasePanel::addFindingsSection() {
   QFormLayout* form = &addSection(QStringLiteral("findings"), tr("Findings"))->form();
-  addLines(form, "findings", tr("Findings"), tr("Change the findings"));
-  addText(form, "diagnosis", tr("Diagnosis"), tr("Change the diagnosis"));
-  addLines(form, "differential", tr("Differential"), tr("Change the differential diagnoses"));
+  addLines(form, "findings", fieldAt(&Case::findings), tr("Findings"), tr("Change the findings"));
+  addText(form, "diagnosis", fieldAt(&Case::diagnosis), tr("Diagnosis"), tr("Change the diagnosis"));
+  addLines(form, "differential", fieldAt(&Case::differential), tr("Differential"), tr("Change the differential diagnoses"));
 }
 
 void CasePanel::addScanSection() {
@@ -177,16 +176,18 @@ void CasePanel::addScanSection() {
   addStartPose(form);
   addProbes(form);
   const auto choices = host_.cases().choices();
-  addIds(form, "presets", tr("Presets"), tr("None is ticked: the console stays as it is."), tr("At the start: %1"), choices.presets);
-  addIds(form, "body_marks", tr("Body marks"), tr("None is ticked: those of the region come first."), {}, choices.bodyMarks);
+  addIds(form, "presets", tr("Presets"), tr("None is ticked: the console stays as it is."), tr("At the start: %1"), choices.presets,
+         {presetsOf, withPresets});
+  addIds(form, "body_marks", tr("Body marks"), tr("None is ticked: those of the region come first."), {}, choices.bodyMarks,
+         {bodyMarksOf, withBodyMarks});
   addMannequin(form);
 }
 
 void CasePanel::addVolumeSection() {
   QFormLayout* form = &addSection(QStringLiteral("volume"), tr("Volume"))->form();
   addVolume(form);
-  addLine(form, "volume.attribution", tr("Attribution"), tr("Change the attribution"));
-  addLine(form, "volume.licence", tr("Licence"), tr("Change the licence"));
+  addLine(form, "volume.attribution", fieldAt(&RecordingRights::attribution), tr("Attribution"), tr("Change the attribution"));
+  addLine(form, "volume.licence", fieldAt(&RecordingRights::licence), tr("Licence"), tr("Change the licence"));
   auto* files = new QPushButton(tr("Files…"));
   files->setObjectName(QStringLiteral("caseFiles"));
   files->setToolTip(tr("See what lies in the case's folder, and take out what nothing uses"));
@@ -270,7 +271,8 @@ QLabel* CasePanel::addRow(QFormLayout* form, const QString& label, QWidget* edit
   return problem;
 }
 
-void CasePanel::addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what, QWidget* beside) {
+void CasePanel::addLine(QFormLayout* form, const std::string& path, const CaseText& text, const QString& label, const QString& what,
+                        QWidget* beside) {
   auto* line = new WithHostUndo<QLineEdit>;
   QWidget* editor = line;
   if (beside != nullptr) {
@@ -284,33 +286,33 @@ void CasePanel::addLine(QFormLayout* form, const std::string& path, const QStrin
     line->setAccessibleName(label);
   }
   line->setObjectName(nameOf(path));
-  connect(line, &QLineEdit::textEdited, this, [this, path, what](const QString& text) {
-    change(path, what, [&](nlohmann::json manifest) { return withText(std::move(manifest), path, text.toStdString()); });
+  connect(line, &QLineEdit::textEdited, this, [this, path, what, text](const QString& typed) {
+    change(path, what, [&](Case edited) { return text.with(std::move(edited), typed.toStdString()); });
   });
-  fields_[path] = {[line, path](const nlohmann::json& manifest) {
-                     const QString text = words(textOf(manifest, path));
-                     if (line->text() != text) line->setText(text);
+  fields_[path] = {[line, text](const Case& shown) {
+                     const QString next = words(text.of(shown));
+                     if (line->text() != next) line->setText(next);
                    },
                    addRow(form, label, editor, path)};
 }
 
-void CasePanel::addText(QFormLayout* form, const std::string& path, const QString& label, const QString& what) {
-  auto* text = new QPlainTextEdit;
-  text->setObjectName(nameOf(path));
-  text->setTabChangesFocus(true);
-  text->setMinimumHeight(8 * kGrid_px);
-  text->setMaximumHeight(14 * kGrid_px);
-  text->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
-  connect(text, &QPlainTextEdit::textChanged, this, [this, text, path, what] {
-    change(path, what, [&](nlohmann::json manifest) { return withText(std::move(manifest), path, text->toPlainText().toStdString()); });
+void CasePanel::addText(QFormLayout* form, const std::string& path, const CaseText& text, const QString& label, const QString& what) {
+  auto* field = new QPlainTextEdit;
+  field->setObjectName(nameOf(path));
+  field->setTabChangesFocus(true);
+  field->setMinimumHeight(8 * kGrid_px);
+  field->setMaximumHeight(14 * kGrid_px);
+  field->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
+  connect(field, &QPlainTextEdit::textChanged, this, [this, field, path, what, text] {
+    change(path, what, [&](Case edited) { return text.with(std::move(edited), field->toPlainText().toStdString()); });
   });
-  fields_[path] = {[text, path](const nlohmann::json& manifest) {
-                     const QString next = words(textOf(manifest, path));
-                     if (text->toPlainText() == next) return;
-                     const QSignalBlocker quiet(text);
-                     text->setPlainText(next);
+  fields_[path] = {[field, text](const Case& shown) {
+                     const QString next = words(text.of(shown));
+                     if (field->toPlainText() == next) return;
+                     const QSignalBlocker quiet(field);
+                     field->setPlainText(next);
                    },
-                   addRow(form, label, text, path)};
+                   addRow(form, label, field, path)};
 }
 
 void CasePanel::addSex(QFormLayout* form) {
@@ -323,12 +325,14 @@ void CasePanel::addSex(QFormLayout* form) {
   choice->addItem(tr("male"), QStringLiteral("male"));
   choice->addItem(tr("other"), QStringLiteral("other"));
   connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, choice, path] {
-    change(path, tr("Change the patient's sex"),
-           [&](nlohmann::json manifest) { return withText(std::move(manifest), path, choice->currentData().toString().toStdString()); });
+    change(path, tr("Change the patient's sex"), [sex = choice->currentData().toString().toStdString()](Case edited) {
+      edited.patient.sex = sex;
+      return edited;
+    });
   });
-  fields_[path] = {[choice, path](const nlohmann::json& manifest) {
+  fields_[path] = {[choice](const Case& shown) {
                      const QSignalBlocker quiet(choice);
-                     choice->setCurrentIndex(std::max(0, choice->findData(words(textOf(manifest, path)))));
+                     choice->setCurrentIndex(std::max(0, choice->findData(words(shown.patient.sex))));
                    },
                    addRow(form, tr("Sex"), choice, path)};
 }
@@ -343,14 +347,14 @@ void CasePanel::addAge(QFormLayout* form) {
   age->setSuffix(tr(" years"));
   age->setFocusPolicy(Qt::StrongFocus);
   connect(age, QOverload<int>::of(&QSpinBox::valueChanged), this, [this, path](int years) {
-    change(path, tr("Change the patient's age"), [&](nlohmann::json manifest) {
-      return withField(std::move(manifest), path, years == kAgeUnknown ? std::nullopt : std::optional<nlohmann::json>(years));
+    change(path, tr("Change the patient's age"), [years](Case edited) {
+      edited.patient.age_years = years == kAgeUnknown ? std::nullopt : std::optional(years);
+      return edited;
     });
   });
-  fields_[path] = {[age, path](const nlohmann::json& manifest) {
-                     const auto value = fieldOf(manifest, path);
+  fields_[path] = {[age](const Case& shown) {
                      const QSignalBlocker quiet(age);
-                     age->setValue(value.is_number_integer() ? value.get<int>() : kAgeUnknown);
+                     age->setValue(shown.patient.age_years.value_or(kAgeUnknown));
                    },
                    addRow(form, tr("Age"), age, path)};
 }
@@ -364,39 +368,37 @@ void CasePanel::addScene(QFormLayout* form) {
     auto* box = new QCheckBox(name);
     box->setObjectName(nameOf(path));
     box->setToolTip(text(effect.tip));
-    connect(box, &QCheckBox::toggled, this, [this, path, name](bool on) {
-      change(path, on ? tr("Switch on: %1").arg(name) : tr("Switch off: %1").arg(name),
-             [&](nlohmann::json manifest) { return withEffect(std::move(manifest), path, on); });
+    connect(box, &QCheckBox::toggled, this, [this, path, name, &effect](bool on) {
+      change(path, on ? tr("Switch on: %1").arg(name) : tr("Switch off: %1").arg(name), [&](Case edited) {
+        effect.switchTo(edited.scene, on);
+        return edited;
+      });
     });
-    fields_[path] = {[box, path](const nlohmann::json& manifest) {
+    fields_[path] = {[box, &effect](const Case& shown) {
                        const QSignalBlocker quiet(box);
-                       box->setChecked(hasEffect(manifest, path));
+                       box->setChecked(effect.isOn(shown.scene));
                      },
                      addRow(form, {}, box, path)};
     box->setAccessibleName(name);
   }
 }
 
-void CasePanel::change(const std::string& path, const QString& what, const std::function<nlohmann::json(nlohmann::json)>& edit,
-                       const std::string& part) {
-  auto manifest = host_.cases().current();
-  if (!manifest) return;
-  const nlohmann::json next = edit(*manifest);
+void CasePanel::change(const std::string& path, const QString& what, const std::function<Case(Case)>& edit, const std::string& part) {
+  const auto now = host_.cases().current();
+  if (!now) return;
+  const Case next = edit(*now);
   if (path != typedIn_) {
     typedIn_ = path;
-    beforeTyping_ = fieldOf(*manifest, path);
+    beforeTyping_ = *now;
   }
   setProblem(problem_, {});
   checked_->hide();
   setProblem(fields_[path].problem, {});
-  if (next == *manifest) return;
+  if (next == *now) return;
   changing_ = true;
   const auto done = host_.cases().edit(next, what.toStdString(), path + part);
-  if (!done && fieldOf(*manifest, path) != beforeTyping_) {
-    // 9 and 99 are fit to be ages on the way to 999, which is not: what nobody meant must not stay in the case and be saved.
-    const auto back = beforeTyping_.is_null() ? std::nullopt : std::optional<nlohmann::json>(beforeTyping_);
-    [[maybe_unused]] const auto restored = host_.cases().edit(withField(*manifest, path, back), what.toStdString(), path);
-  }
+  // 9 and 99 are fit to be ages on the way to 999, which is not: what nobody meant must not stay in the case and be saved.
+  if (!done && *now != beforeTyping_) static_cast<void>(host_.cases().edit(beforeTyping_, what.toStdString(), path));
   changing_ = false;
   showSaved();
   showStartRemark();
@@ -434,17 +436,17 @@ void CasePanel::say(const Error& problem) {
 void CasePanel::showCase() {
   if (changing_) return;
   typedIn_.clear();
-  const auto manifest = host_.cases().current();
-  pages_->setCurrentIndex(manifest ? 1 : 0);
+  const auto shown = host_.cases().current();
+  pages_->setCurrentIndex(shown ? 1 : 0);
   setProblem(problem_, {});
   checked_->hide();
   if (host_.cases().currentFolder() != shownFolder_) takenRow_->hide();
   shownFolder_ = host_.cases().currentFolder();
-  if (!manifest) return;
-  noVolumeRow_->setVisible(textOf(*manifest, "volume.file").empty() && textOf(*manifest, "volume.recipe").empty());
-  const auto problems = host_.cases().check(*manifest);
+  if (!shown) return;
+  noVolumeRow_->setVisible(hasNoVolume(*shown));
+  const auto problems = host_.cases().check(*shown);
   for (auto& [path, field] : fields_) {
-    field.show(*manifest);
+    field.show(*shown);
     QString sentence;
     for (const auto& problem : problems)
       if (fieldOf(problem) == path) sentence = words(problem.message);

@@ -5,12 +5,13 @@
 #include <QWidget>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ew/library/case_values.h"
 #include "ew/sdk/host.h"
+#include "logic/edits.h"
 
 class QComboBox;
 class QFormLayout;
@@ -19,10 +20,6 @@ class QSpinBox;
 class QScrollArea;
 class QStackedWidget;
 class QVBoxLayout;
-
-namespace ew {
-struct Case;
-}
 
 namespace ew::case_authoring {
 
@@ -47,9 +44,9 @@ class CasePanel final : public QWidget {
   void showField(const std::string& path);
 
  private:
-  /// A form field: how to show the manifest in it, and where its problem is said.
+  /// A form field: how to show the case in it, and where its problem is said.
   struct Field {
-    std::function<void(const nlohmann::json& manifest)> show;
+    std::function<void(const Case& shown)> show;
     QLabel* problem = nullptr;
   };
 
@@ -78,22 +75,23 @@ class CasePanel final : public QWidget {
   /// A list of ids that are ticked; the first one counts more than the others.
   /// @param atStart what is said of the first: "At the start: %1"; empty: nothing
   void addIds(QFormLayout* form, const std::string& path, const QString& label, const QString& none, const QString& atStart,
-              const std::vector<std::pair<std::string, std::string>>& known);
+              const std::vector<std::pair<std::string, std::string>>& known, const CaseTexts& ids);
   void addPicturesTo(ExaminationsField& field, std::size_t number);
-  [[nodiscard]] nlohmann::json takeCaliper(const nlohmann::json& expected);
+  [[nodiscard]] std::optional<CaseMeasurement> takeCaliper(const CaseMeasurement& expected);
   void showWarnings();  ///< what looks real, beside its fields
   void showMissing();   ///< what a published case needs, in the heads of the sections
-  [[nodiscard]] std::optional<Case> presentCase() const;
   void showFiles();
   void publish();
   QWidget* makeSaveRow();
-  void addLine(QFormLayout* form, const std::string& path, const QString& label, const QString& what, QWidget* beside = nullptr);
-  void addText(QFormLayout* form, const std::string& path, const QString& label, const QString& what);
+  // Each of these edits one field of the case, whose name in case.json is `path`.
+  void addLine(QFormLayout* form, const std::string& path, const CaseText& text, const QString& label, const QString& what,
+               QWidget* beside = nullptr);
+  void addText(QFormLayout* form, const std::string& path, const CaseText& text, const QString& label, const QString& what);
   void addSex(QFormLayout* form);
   void addAge(QFormLayout* form);
   void addLaboratory(QFormLayout* form);
   void addDifficulty(QFormLayout* form);
-  void addLines(QFormLayout* form, const std::string& path, const QString& label, const QString& what);
+  void addLines(QFormLayout* form, const std::string& path, const CaseTexts& texts, const QString& label, const QString& what);
   void addExaminations(QFormLayout* form);
   void addStartPose(QFormLayout* form);
   void addProbes(QFormLayout* form);
@@ -101,8 +99,7 @@ class CasePanel final : public QWidget {
   void addScene(QFormLayout* form);
   QLabel* addRow(QFormLayout* form, const QString& label, QWidget* editor, const std::string& path);
   /// @param part of what `path` names: edits of one part in a row are one step of undo
-  void change(const std::string& path, const QString& what, const std::function<nlohmann::json(nlohmann::json)>& edit,
-              const std::string& part = {});
+  void change(const std::string& path, const QString& what, const std::function<Case(Case)>& edit, const std::string& part = {});
   void showCase();
   void showSaved();
   void showStartRemark();
@@ -121,8 +118,8 @@ class CasePanel final : public QWidget {
   QWidget* noVolumeRow_ = nullptr;
   QPointer<FilesDialog> files_;
   QPointer<PublishDialog> publishing_;
-  std::string typedIn_;          ///< path of the field whose changes are one step of undo
-  nlohmann::json beforeTyping_;  ///< what it held before that step
+  std::string typedIn_;  ///< path of the field whose changes are one step of undo
+  Case beforeTyping_;    ///< the case before that step
   std::filesystem::path shownFolder_;
   bool changing_ = false;  ///< this panel is the one that edits: its fields are already as the user typed them
   QStackedWidget* pages_ = nullptr;

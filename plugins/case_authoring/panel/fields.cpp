@@ -8,20 +8,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ew/core/foreign_json.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/pictures_field.h"
 
 namespace ew::case_authoring {
-namespace {
-
-QString textIn(const nlohmann::json& object, const char* key) {
-  return object.is_object() && object.contains(key) && object[key].is_string() ? words(object[key].get<std::string>()) : QString();
-}
-
-}  // namespace
 
 QString sizeWords(std::uint64_t bytes) {
   std::uint64_t figure = bytes;
@@ -41,7 +33,7 @@ ExaminationsField::ExaminationsField(Of what, QWidget* parent) : QWidget(parent)
   add->setObjectName(isLaboratory ? QStringLiteral("addLaboratory") : QStringLiteral("addExamination"));
   column_->addWidget(add, 0, Qt::AlignLeft);
   connect(add, &QPushButton::clicked, this, [this] {
-    list_.push_back(nlohmann::json::object());
+    list_.emplace_back();
     remake();
     tell();
     const QString name = namePrefix(list_.size() - 1) + QStringLiteral("when");
@@ -49,10 +41,9 @@ ExaminationsField::ExaminationsField(Of what, QWidget* parent) : QWidget(parent)
   });
 }
 
-void ExaminationsField::setValue(const nlohmann::json& list) {
-  const nlohmann::json next = list.is_array() ? list : nlohmann::json::array();
-  if (next == list_) return;
-  list_ = next;
+void ExaminationsField::setValue(const std::vector<CaseExamination>& list) {
+  if (list == list_) return;
+  list_ = list;
   remake();
 }
 
@@ -71,25 +62,25 @@ void ExaminationsField::remake() {
 }
 
 void ExaminationsField::addOne(std::size_t number) {
-  const nlohmann::json& one = list_[number];
+  const CaseExamination& one = list_[number];
   const QString name = namePrefix(number);
   auto* head = new QHBoxLayout;
   head->setSpacing(kGrid_px);
-  const auto line = [&](const char* key, const QString& hint) {
+  const auto line = [&](const char* key, std::string CaseExamination::*text, const QString& hint) {
     auto* edited = new WithHostUndo<QLineEdit>;
     edited->setObjectName(name + QLatin1String(key));
     edited->setPlaceholderText(hint);
     edited->setAccessibleName(hint);
-    edited->setText(textIn(one, key));
-    connect(edited, &QLineEdit::textEdited, this, [this, number, key](const QString& text) { edit(number, key, text); });
+    edited->setText(sdk::words(one.*text));
+    connect(edited, &QLineEdit::textEdited, this, [this, number, text](const QString& typed) { edit(number, text, typed); });
     head->addWidget(edited, 1);
   };
-  line("when", tr("when"));
-  if (what_ == Of::examinations) line("kind", tr("kind"));
+  line("when", &CaseExamination::when, tr("when"));
+  if (what_ == Of::examinations) line("kind", &CaseExamination::kind, tr("kind"));
   auto* away = new QPushButton(tr("Remove"));
   away->setObjectName(name + QStringLiteral("remove"));
   connect(away, &QPushButton::clicked, this, [this, number] {
-    list_.erase(number);
+    list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(number));
     remake();
     tell();
   });
@@ -103,25 +94,21 @@ void ExaminationsField::addOne(std::size_t number) {
   findings->setTabChangesFocus(true);
   findings->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
   findings->setFixedHeight(8 * kGrid_px);
-  findings->setPlainText(textIn(one, "findings"));
-  connect(findings, &QPlainTextEdit::textChanged, this, [this, number, findings] { edit(number, "findings", findings->toPlainText()); });
+  findings->setPlainText(words(one.findings));
+  connect(findings, &QPlainTextEdit::textChanged, this,
+          [this, number, findings] { edit(number, &CaseExamination::findings, findings->toPlainText()); });
   rows->addWidget(findings);
   if (what_ == Of::examinations) addPicturesOf(number, *rows);
 }
 
 void ExaminationsField::addPicturesOf(std::size_t number, QVBoxLayout& rows) {
-  std::vector<std::string> pictures;
-  if (list_[number].contains("pictures"))
-    for (const auto& each : list_[number]["pictures"])
-      if (each.is_string()) pictures.push_back(each.get<std::string>());
-  auto* shown = new PicturesField(namePrefix(number), folder_, pictures);
+  auto* shown = new PicturesField(namePrefix(number), folder_, list_[number].pictures);
   shown->onAdd = [this, number] {
     if (onPicturesAsked) onPicturesAsked(number);
   };
   shown->onRemove = [this, number](std::size_t picture) {
-    auto& list = list_[number]["pictures"];
-    list.erase(picture);
-    if (list.empty()) list_[number].erase("pictures");
+    auto& pictures = list_[number].pictures;
+    pictures.erase(pictures.begin() + static_cast<std::ptrdiff_t>(picture));
     remake();
     tell();
   };
@@ -136,10 +123,9 @@ void ExaminationsField::setFolder(const std::filesystem::path& folder) {
 
 void ExaminationsField::addPictures(std::size_t number, const std::vector<std::string>& files) {
   if (number >= list_.size() || files.empty()) return;
-  nlohmann::json pictures = listAt(list_[number], "pictures");
+  auto& pictures = list_[number].pictures;
   for (const std::string& file : files)
     if (std::find(pictures.begin(), pictures.end(), file) == pictures.end()) pictures.push_back(file);
-  list_[number]["pictures"] = std::move(pictures);
   remake();
   tell();
 }
@@ -148,17 +134,14 @@ QString ExaminationsField::namePrefix(std::size_t number) const {
   return (what_ == Of::laboratory ? QStringLiteral("laboratory_%1_") : QStringLiteral("examination_%1_")).arg(number);
 }
 
-void ExaminationsField::edit(std::size_t number, const char* key, const QString& text) {
+void ExaminationsField::edit(std::size_t number, std::string CaseExamination::*text, const QString& typed) {
   if (number >= list_.size()) return;
-  if (text.isEmpty())
-    list_[number].erase(key);
-  else
-    list_[number][key] = text.toStdString();
+  list_[number].*text = typed.toStdString();
   tell();
 }
 
 void ExaminationsField::tell() {
-  if (onChanged) onChanged(list_.empty() ? nlohmann::json() : list_);
+  if (onChanged) onChanged(list_);
 }
 
 }  // namespace ew::case_authoring

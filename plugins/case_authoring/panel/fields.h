@@ -8,17 +8,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "ew/library/case_values.h"
 #include "ew/widgets/words.h"
 
 class QVBoxLayout;
 
 namespace ew::case_authoring {
 
-/// The name of the widget that edits a dotted field of the manifest: "patient_name".
+/// The name of the widget that edits a dotted field of case.json: "patient_name".
 inline QString nameOf(const std::string& path) { return words(path).replace(QLatin1Char('.'), QLatin1Char('_')); }
 
 /// A size that people read has no hundredths: "42 MiB", "4.2 MiB".
@@ -34,9 +34,9 @@ class ExaminationsField final : public QWidget {
   enum class Of { examinations, laboratory };
   explicit ExaminationsField(Of what = Of::examinations, QWidget* parent = nullptr);
 
-  void setValue(const nlohmann::json& list);                  ///< an array of objects, or null
-  std::function<void(const nlohmann::json& list)> onChanged;  ///< called when the user edits; null: none are left
-  void setFolder(const std::filesystem::path& folder);        ///< of the case, where its pictures lie
+  void setValue(const std::vector<CaseExamination>& list);
+  std::function<void(const std::vector<CaseExamination>& list)> onChanged;  ///< called when the user edits
+  void setFolder(const std::filesystem::path& folder);                      ///< of the case, where its pictures lie
   /// The user wants pictures in an examination; answered by addPictures.
   std::function<void(std::size_t number)> onPicturesAsked;
   /// @param files in the case folder, as it names them ("media/….png"); those that are there already stay once
@@ -48,11 +48,11 @@ class ExaminationsField final : public QWidget {
   void addPicturesOf(std::size_t number, QVBoxLayout& rows);
   void tell();
   [[nodiscard]] QString namePrefix(std::size_t number) const;
-  void edit(std::size_t number, const char* key, const QString& text);
+  void edit(std::size_t number, std::string CaseExamination::*text, const QString& typed);
 
   Of what_;
   std::filesystem::path folder_;
-  nlohmann::json list_ = nlohmann::json::array();
+  std::vector<CaseExamination> list_;
   QVBoxLayout* column_ = nullptr;
   QWidget* entries_ = nullptr;
 };

@@ -20,15 +20,6 @@ namespace {
 
 enum Column { kFile, kSize, kUsedBy };
 
-/// The open case with its edits, where there is one.
-std::optional<Case> openCaseOf(sdk::Host& host) {
-  const auto manifest = host.cases().current();
-  auto present = manifest ? caseFromManifest(*manifest, {}) : Result<Case>(Case());
-  if (!manifest || !present) return std::nullopt;
-  present->folder = host.cases().currentFolder();
-  return *std::move(present);
-}
-
 QStringList namesOf(const std::vector<std::string>& paths) {
   QStringList names;
   for (const std::string& each : paths) names << words(each);
@@ -86,7 +77,7 @@ FilesDialog::FilesDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), ho
 }
 
 void FilesDialog::look() {
-  const auto present = openCaseOf(host_);
+  const auto present = host_.cases().current();
   if (!present) {
     close();
     return;
@@ -143,7 +134,7 @@ void FilesDialog::takeOut() {
     if (own.error().code != ErrorCode::cancelled) fail(own.error());
     return;
   }
-  const auto present = openCaseOf(host_);
+  const auto present = host_.cases().current();
   if (!present) return;
   const auto taken = withdrawFiles(*present, paths, CaseEditor::caller);
   look();

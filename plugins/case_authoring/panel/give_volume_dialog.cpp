@@ -13,7 +13,6 @@
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "panel/rights_form.h"
 #include "panel/source_field.h"
 
@@ -21,10 +20,15 @@ namespace ew::case_authoring {
 namespace {
 
 /// What giving a volume changes, on the case as it is by now.
-nlohmann::json withGiven(nlohmann::json present, const GivenVolume& given) {
-  const nlohmann::json made = manifestOf(given.edited);
-  for (const char* field : {"volume", "targets", "measurements"})
-    present = withField(std::move(present), field, made.contains(field) ? std::optional<nlohmann::json>(made[field]) : std::nullopt);
+Case withGiven(Case present, const GivenVolume& given) {
+  present.volume = given.edited.volume;
+  present.targets = given.edited.targets;
+  present.measurements = given.edited.measurements;
+  // Rights and the probe's side are said of the volume, and stand beside it.
+  if (given.edited.otherFields.contains("volume"))
+    present.otherFields["volume"] = given.edited.otherFields["volume"];
+  else
+    present.otherFields.erase("volume");
   return present;
 }
 
@@ -32,8 +36,7 @@ nlohmann::json withGiven(nlohmann::json present, const GivenVolume& given) {
 
 GiveVolumeDialog::GiveVolumeDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), host_(host) {
   setObjectName(QStringLiteral("giveVolumeDialog"));
-  const auto manifest = host_.cases().current();
-  const auto opened = manifest ? caseFromManifest(*manifest, {}) : Result<Case>(Case{});
+  const auto opened = host_.cases().current();
   const bool hasOne = opened && !hasNoVolume(*opened);
   setWindowTitle(hasOne ? tr("Another volume for the case") : tr("Give the case a volume"));
   setMinimumWidth(72 * kGrid_px);
@@ -85,18 +88,15 @@ void GiveVolumeDialog::give() {
     if (own.error().code != ErrorCode::cancelled) setProblem(problem_, words(own.error()));
     return;
   }
-  const auto manifest = host_.cases().current();
+  const auto opened = host_.cases().current();
   const auto folder = host_.cases().currentFolder();
-  if (!manifest) return;
-  auto opened = caseFromManifest(*manifest, folder);
-  if (!opened) return setProblem(problem_, words(opened.error()));
-  opened->folder = folder;
+  if (!opened) return;
   const RecordingRights rights = rights_->rights();
   auto given = std::make_shared<GivenVolume>();
   hide();
   host_.jobs().startSaving(
       tr("Putting the volume into the case").toStdString(),
-      [given, opened = std::move(*opened), source = *source, rights](Progress& progress) -> Result<void> {
+      [given, opened = *opened, source = *source, rights](Progress& progress) -> Result<void> {
         auto made = giveVolume(opened, source, progress);
         if (!made) return passOn(made.error());
         *given = std::move(*made);

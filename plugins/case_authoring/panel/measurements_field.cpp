@@ -1,7 +1,6 @@
 #include "panel/measurements_field.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <array>
 
-#include "ew/core/foreign_json.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
@@ -22,18 +20,11 @@ namespace {
 
 constexpr double kMostValue = 1e6;
 
-struct KindOfMeasurement {
-  const char* kind;
-  const char* unit;
-};
-constexpr std::array<KindOfMeasurement, 4> kKinds = {{{"distance", "mm"}, {"circumference", "mm"}, {"area", "cm2"}, {"angle", "deg"}}};
-
 QString unitWords(const std::string& unit) {
   if (unit == "cm2") return QStringLiteral("cm²");
   return unit == "deg" ? QStringLiteral("°") : QStringLiteral("mm");
 }
 
-/// The widget, under the name by which tests and styles find that part of the measurement.
 template <class Widget>
 Widget* named(Widget* widget, std::size_t number, const char* part) {
   widget->setObjectName(QStringLiteral("measurement_%1_%2").arg(number).arg(QLatin1String(part)));
@@ -53,9 +44,13 @@ MeasurementsField::MeasurementsField(QWidget* parent) : QWidget(parent) {
   add->setObjectName(QStringLiteral("addMeasurement"));
   column_->addWidget(add, 0, Qt::AlignLeft);
   connect(add, &QPushButton::clicked, this, [this] {
-    nlohmann::json fresh = {{"name", tr("measurement %1").arg(list_.size() + 1).toStdString()}};
-    if (!patientKnows_) fresh.update({{"kind", kKinds[0].kind}, {"unit", kKinds[0].unit}, {"value", 0.0}});
-    list_.push_back(std::move(fresh));
+    CaseMeasurement& fresh = list_.emplace_back();
+    fresh.name = tr("measurement %1").arg(list_.size()).toStdString();
+    if (!patientKnows_) {
+      fresh.value = 0.0;
+      fresh.kind = kMeasurementKinds[0].kind;
+      fresh.unit = kMeasurementKinds[0].unit;
+    }
     remake();
     tell();
     const QString name = QStringLiteral("measurement_%1_name").arg(list_.size() - 1);
@@ -72,10 +67,9 @@ void MeasurementsField::setPatientKnows(bool knows) {
   remake();
 }
 
-void MeasurementsField::setValue(const nlohmann::json& list) {
-  const nlohmann::json next = list.is_array() ? list : nlohmann::json::array();
-  if (next == list_) return;
-  list_ = next;
+void MeasurementsField::setValue(const std::vector<CaseMeasurement>& list) {
+  if (list == list_) return;
+  list_ = list;
   remake();
 }
 
@@ -107,12 +101,13 @@ void MeasurementsField::addNameRow(QGridLayout& grid, std::size_t number) {
   auto* name = named(new WithHostUndo<QLineEdit>, number, "name");
   name->setAccessibleName(tr("what is measured"));
   name->setPlaceholderText(tr("what is measured"));
-  name->setText(words(textAt(list_[number], "name")));
-  connect(name, &QLineEdit::textEdited, this, [this, number](const QString& text) { set(number, "name", text.toStdString()); });
+  name->setText(words(list_[number].name));
+  connect(name, &QLineEdit::textEdited, this,
+          [this, number](const QString& text) { edit(number, [&](CaseMeasurement& edited) { edited.name = text.toStdString(); }); });
   grid.addWidget(name, 0, 0, 1, 2);
   auto* away = named(new QPushButton(tr("Remove")), number, "remove");
   connect(away, &QPushButton::clicked, this, [this, number] {
-    list_.erase(number);
+    list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(number));
     remake();
     tell();
   });
@@ -120,24 +115,24 @@ void MeasurementsField::addNameRow(QGridLayout& grid, std::size_t number) {
 }
 
 void MeasurementsField::addKindRow(QGridLayout& grid, std::size_t number) {
-  const nlohmann::json& one = list_[number];
+  const CaseMeasurement& one = list_[number];
   auto* kind = named(new ChoiceField, number, "kind");
   kind->setFocusPolicy(Qt::StrongFocus);
   kind->setAccessibleName(tr("kind"));
-  if (patientKnows_ || !hasValue(one)) kind->addItem(tr("known by the patient"), QString());
+  if (patientKnows_ || !one.value) kind->addItem(tr("known by the patient"), QString());
   const std::array<QString, 4> names = {tr("distance"), tr("circumference"), tr("area"), tr("angle")};
-  for (std::size_t n = 0; n < kKinds.size(); ++n) kind->addItem(names[n], QLatin1String(kKinds[n].kind));
-  kind->setCurrentIndex(std::max(0, kind->findData(words(textAt(one, "kind")))));
+  for (std::size_t n = 0; n < names.size(); ++n) kind->addItem(names[n], words(std::string(kMeasurementKinds[n].kind)));
+  kind->setCurrentIndex(std::max(0, kind->findData(words(one.kind))));
   connect(kind, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-          [this, number, kind] { setKind(number, kind->currentData().toString().toStdString()); });
+          [this, number, kind] { chooseKind(number, kind->currentData().toString().toStdString()); });
   grid.addWidget(kind, 1, 0, 1, 2);
   auto* take = named(new QPushButton(tr("Take caliper")), number, "take");
   take->setToolTip(tr("Take the caliper I have drawn: value, kind and where it stands"));
   connect(take, &QPushButton::clicked, this, [this, number] {
     if (!onTake) return;
-    nlohmann::json taken = onTake(list_[number]);
-    if (taken.is_null()) return;
-    list_[number] = std::move(taken);
+    auto taken = onTake(list_[number]);
+    if (!taken) return;
+    list_[number] = std::move(*taken);
     remake();
     tell();
   });
@@ -145,60 +140,59 @@ void MeasurementsField::addKindRow(QGridLayout& grid, std::size_t number) {
 }
 
 void MeasurementsField::addValueRows(QGridLayout& grid, std::size_t number) {
-  const nlohmann::json& one = list_[number];
-  const QString unit = unitWords(textAt(one, "unit", "mm"));
+  const CaseMeasurement& one = list_[number];
+  const QString unit = unitWords(one.unit);
   auto* value = named(new NumberField(0.0, kMostValue, 2, unit), number, "value");
   value->setAccessibleName(tr("value"));
-  value->setValue(numberAt(one, "value").value_or(0.0));
-  value->setEnabled(hasValue(one));
-  if (!hasValue(one)) value->setToolTip(tr("The value is the virtual patient's; choose a kind to give one"));
+  value->setValue(one.value.value_or(0.0));
+  value->setEnabled(one.value.has_value());
+  if (!one.value) value->setToolTip(tr("The value is the virtual patient's; choose a kind to give one"));
   connect(value, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, number](double now) {
-    list_[number].erase("points_mm");  // a typed value is no longer what the calipers stand at
-    set(number, "value", now);
+    edit(number, [now](CaseMeasurement& edited) {
+      edited.points_mm.clear();  // a typed value is no longer what the calipers stand at
+      edited.value = now;
+    });
   });
   grid.addWidget(value, 2, 0);
   auto* tolerance = named(new NumberField(0.0, kMostValue, 2, unit), number, "tolerance");
   tolerance->setAccessibleName(tr("tolerance"));
   tolerance->setPrefix(QStringLiteral("± "));
   tolerance->setSpecialValueText(tr("usual tolerance"));
-  tolerance->setValue(numberAt(one, "tolerance").value_or(0.0));
-  connect(tolerance, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-          [this, number](double now) { set(number, "tolerance", now > 0.0 ? nlohmann::json(now) : nlohmann::json()); });
+  tolerance->setValue(one.tolerance.value_or(0.0));
+  connect(tolerance, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, number](double now) {
+    edit(number, [now](CaseMeasurement& edited) { edited.tolerance = now > 0.0 ? std::optional(now) : std::nullopt; });
+  });
   grid.addWidget(tolerance, 2, 1, 1, 2);
   auto* reveals = named(new QCheckBox(tr("Gives the finding away")), number, "reveals");
   reveals->setToolTip(tr("A trainee sees the name with the findings only"));
-  reveals->setChecked(flagAt(one, "reveals_finding"));
+  reveals->setChecked(one.revealsFinding);
   connect(reveals, &QCheckBox::toggled, this,
-          [this, number](bool on) { set(number, "reveals_finding", on ? nlohmann::json(true) : nlohmann::json()); });
+          [this, number](bool on) { edit(number, [on](CaseMeasurement& edited) { edited.revealsFinding = on; }); });
   grid.addWidget(reveals, 3, 0, 1, 3);
 }
 
-void MeasurementsField::setKind(std::size_t number, const std::string& chosen) {
-  nlohmann::json& edited = list_[number];
-  for (const char* key : {"points_mm", "kind", "unit"}) edited.erase(key);  // the points are those of another kind of caliper
-  const auto known = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindOfMeasurement& each) { return each.kind == chosen; });
-  if (known == kKinds.end()) {
-    edited.erase("value");
-  } else {
-    edited["kind"] = known->kind;
-    edited["unit"] = known->unit;
-    if (!edited.contains("value")) edited["value"] = 0.0;
-  }
+void MeasurementsField::chooseKind(std::size_t number, const std::string& kind) {
+  if (number >= list_.size()) return;
+  CaseMeasurement& edited = list_[number];
+  edited.points_mm.clear();  // of another kind of caliper
+  const auto known =
+      std::find_if(kMeasurementKinds.begin(), kMeasurementKinds.end(), [&](const MeasurementKind& each) { return each.kind == kind; });
+  const bool isKnown = known != kMeasurementKinds.end();
+  edited.kind = isKnown ? known->kind : std::string_view();
+  edited.unit = isKnown ? known->unit : std::string_view();
+  edited.value = isKnown ? std::optional(edited.value.value_or(0.0)) : std::nullopt;
   remake();
   tell();
 }
 
-void MeasurementsField::set(std::size_t number, const char* key, const nlohmann::json& value) {
+void MeasurementsField::edit(std::size_t number, const std::function<void(CaseMeasurement&)>& change) {
   if (number >= list_.size()) return;
-  if (value.is_null())
-    list_[number].erase(key);
-  else
-    list_[number][key] = value;
+  change(list_[number]);
   tell();
 }
 
 void MeasurementsField::tell() {
-  if (onChanged) onChanged(list_.empty() ? nlohmann::json() : list_);
+  if (onChanged) onChanged(list_);
 }
 
 }  // namespace ew::case_authoring

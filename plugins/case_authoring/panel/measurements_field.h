@@ -3,8 +3,11 @@
 #include <QWidget>
 #include <cstddef>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "ew/library/case_values.h"
 
 class QGridLayout;
 class QVBoxLayout;
@@ -21,10 +24,10 @@ class MeasurementsField final : public QWidget {
 
   /// Whether a virtual patient may know values: else every measurement has its own.
   void setPatientKnows(bool knows);
-  void setValue(const nlohmann::json& list);                  ///< an array of objects, or null
-  std::function<void(const nlohmann::json& list)> onChanged;  ///< called when the user edits; null: none are left
-  /// What the calipers in the image say, as the measurement of that number; null: it was said why not.
-  std::function<nlohmann::json(const nlohmann::json& expected)> onTake;
+  void setValue(const std::vector<CaseMeasurement>& list);
+  std::function<void(const std::vector<CaseMeasurement>& list)> onChanged;  ///< called when the user edits
+  /// What the calipers in the image say, as the measurement of that number; empty: it was said why not.
+  std::function<std::optional<CaseMeasurement>(const CaseMeasurement& expected)> onTake;
 
  private:
   void remake();
@@ -32,11 +35,11 @@ class MeasurementsField final : public QWidget {
   void addNameRow(QGridLayout& grid, std::size_t number);
   void addKindRow(QGridLayout& grid, std::size_t number);
   void addValueRows(QGridLayout& grid, std::size_t number);
-  void setKind(std::size_t number, const std::string& chosen);
   void tell();
-  void set(std::size_t number, const char* key, const nlohmann::json& value);
+  void chooseKind(std::size_t number, const std::string& kind);
+  void edit(std::size_t number, const std::function<void(CaseMeasurement&)>& change);
 
-  nlohmann::json list_ = nlohmann::json::array();
+  std::vector<CaseMeasurement> list_;
   bool patientKnows_ = false;
   QVBoxLayout* column_ = nullptr;
   QWidget* entries_ = nullptr;

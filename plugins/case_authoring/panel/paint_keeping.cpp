@@ -8,7 +8,6 @@
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/window.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "panel/paint_work.h"
 
 namespace ew::case_authoring {
@@ -21,9 +20,9 @@ void PaintWork::keepAside() {
 
 void PaintWork::rememberCase() {
   caseFolder_ = host_.cases().currentFolder();
-  const auto manifest = host_.cases().current();
-  before_ = manifest ? textOf(*manifest, "volume.labels") : std::string();
-  title_ = manifest ? words(textOf(*manifest, "title")) : QString();
+  const auto opened = host_.cases().current();
+  before_ = opened ? opened->volume.labels : std::string();
+  title_ = opened ? words(opened->title) : QString();
   if (title_.isEmpty()) title_ = words(caseFolder_.filename().string());
 }
 
@@ -143,20 +142,19 @@ void PaintWork::keep() {
   addLabels(
       tr("Keeping the structures in the case"), [labels = painting_->labels()](Progress&) -> Result<Volume> { return labels; },
       [this](const std::string& file) {
-        const auto manifest = host_.cases().current();
-        if (!manifest) return;
-        if (const auto done = host_.cases().edit(withField(*manifest, "volume.labels", file), tr("Paint structures").toStdString(), {});
-            !done)
-          return say(done.error());
+        auto edited = host_.cases().current();
+        if (!edited) return;
+        edited->volume.labels = file;
+        if (const auto done = host_.cases().edit(*edited, tr("Paint structures").toStdString(), {}); !done) return say(done.error());
         say(QString());
         end();
       });
 }
 
 void PaintWork::withLabelFile(std::function<void(const std::string& file)> done) {
-  const auto manifest = host_.cases().current();
-  if (!manifest || isBusy_) return;
-  if (const std::string file = textOf(*manifest, "volume.labels"); !file.empty()) return done(file);
+  const auto opened = host_.cases().current();
+  if (!opened || isBusy_) return;
+  if (!opened->volume.labels.empty()) return done(opened->volume.labels);
   const auto scanned = host_.scan().scanned();
   const auto place = fileToWorld();
   if (!scanned || !place || !host_.cases().scan())
@@ -169,15 +167,15 @@ void PaintWork::withLabelFile(std::function<void(const std::string& file)> done)
 }
 
 void PaintWork::withoutLabel(int label, std::function<void(const std::string& file)> done) {
-  const auto manifest = host_.cases().current();
-  if (!manifest || isBusy_) return;
+  const auto opened = host_.cases().current();
+  if (!opened || isBusy_) return;
   const auto erase = [label](Volume& labels) {
     const auto number = static_cast<std::uint8_t>(label);
     const auto box = labelling::boxOf(labels, number);
     std::replace(labels.echo.begin(), labels.echo.end(), number, std::uint8_t{0});
     return box;
   };
-  const std::string file = textOf(*manifest, "volume.labels");
+  const std::string file = opened->volume.labels;
   if (auto own = host_.cases().makeOwn(); !own) return say(own.error());
   if (painting_) {
     painting_->edits().edit(tr("Remove the structure").toStdString(), erase);

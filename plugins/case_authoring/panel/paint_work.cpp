@@ -8,7 +8,6 @@
 #include "ew/library/content_name.h"
 #include "ew/sdk/window.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "logic/targets.h"
 #include "logic/until_told.h"
 
@@ -61,10 +60,8 @@ void PaintWork::say(const Error& error) const {
 }
 
 std::optional<Transform<frame::World, frame::File>> PaintWork::fileToWorld() const {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return std::nullopt;
-  const auto place = placeOf(*manifest);
-  return place ? std::optional(*place) : std::nullopt;
+  const auto opened = host_.cases().current();
+  return opened ? std::optional(opened->volume.fileToWorld) : std::nullopt;
 }
 
 std::optional<Transform<frame::File, frame::Probe>> PaintWork::planeToFile() const {

@@ -12,7 +12,6 @@
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "logic/targets.h"
 #include "panel/target_drawer.h"
 
@@ -31,10 +30,8 @@ QFormLayout* targetForm(QWidget* owner) {
 
 }  // namespace
 
-std::optional<Transform<frame::File, frame::Probe>> planeInFile(const nlohmann::json& manifest, const ScanState& image) {
-  const auto fileToWorld = placeOf(manifest);
-  if (!fileToWorld) return std::nullopt;
-  return rigidInverse(*fileToWorld) * image.pose.probeToWorld;
+Transform<frame::File, frame::Probe> planeInFile(const Case& shown, const ScanState& image) {
+  return rigidInverse(shown.volume.fileToWorld) * image.pose.probeToWorld;
 }
 
 PointPage::PointPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(host) {
@@ -52,17 +49,17 @@ PointPage::PointPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
   tolerance_->setObjectName(QStringLiteral("pointTolerance"));
   tolerance_->setAccessibleName(tr("Near enough"));
   connect(tolerance_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double mm) {
-    change(tr("Change the tolerance"), "tolerance_mm", [mm](const nlohmann::json& manifest, std::size_t n) {
-      return withTarget(manifest, n, withField(targetAt(manifest, n), "tolerance_mm", mm));
+    change(tr("Change the tolerance"), "tolerance_mm", [mm](Case edited, std::size_t n) {
+      return withTarget(std::move(edited), n, [mm](CaseTarget& target) { target.tolerance_mm = mm; });
     });
   });
   form->addRow(quietLabel(tr("Near enough")), tolerance_);
 }
 
-void PointPage::setTarget(const nlohmann::json& target) {
+void PointPage::setTarget(const CaseTarget& target) {
   const QSignalBlocker quiet(tolerance_);
-  tolerance_->setValue(numberOf(target, "tolerance_mm", 10.0));
-  const auto at_mm = pointOf(target);
+  tolerance_->setValue(target.tolerance_mm.value_or(10.0));
+  const auto& at_mm = target.at_mm;
   where_->setText(at_mm ? tr("At %1, %2, %3 mm of the volume").arg(shownNumber(at_mm->x), shownNumber(at_mm->y), shownNumber(at_mm->z))
                         : tr("It lies nowhere yet: click it in the scan."));
 }
@@ -79,11 +76,9 @@ void PointPage::ask(bool on) {
       [this](const Point<frame::Probe>& at) {
         const auto image = host_.scan().state();
         if (!image) return;
-        change(tr("Move the point"), "at_mm", [&](const nlohmann::json& manifest, std::size_t n) {
-          const auto plane = planeInFile(manifest, *image);
-          if (!plane) return manifest;
-          const glm::dvec3 at_mm = carried(*plane, at.at);
-          return withTarget(manifest, n, withField(targetAt(manifest, n), "at_mm", nlohmann::json{at_mm.x, at_mm.y, at_mm.z}));
+        change(tr("Move the point"), "at_mm", [&](Case edited, std::size_t n) {
+          const glm::dvec3 at_mm = carried(planeInFile(edited, *image), at.at);
+          return withTarget(std::move(edited), n, [&](CaseTarget& target) { target.at_mm = at_mm; });
         });
       },
       [this] { rest(); });
@@ -104,9 +99,9 @@ PlanePage::PlanePage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
     if (!scan || !image)
       return onSaid(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
     onSaid({});
-    change(tr("Take the plane"), "plane taken", [&](const nlohmann::json& manifest, std::size_t n) {
-      const auto plane = planeInFile(manifest, *image);
-      return plane ? withTarget(manifest, n, withField(targetAt(manifest, n), "probe_to_world", nlohmann::json(rowsOf(*plane)))) : manifest;
+    change(tr("Take the plane"), "plane taken", [&](Case edited, std::size_t n) {
+      const auto plane = planeInFile(edited, *image);
+      return withTarget(std::move(edited), n, [&](CaseTarget& target) { target.probeToFile = plane; });
     });
   });
   form->addRow(take);
@@ -114,38 +109,37 @@ PlanePage::PlanePage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(
   go_->setObjectName(QStringLiteral("planeGo"));
   go_->setToolTip(tr("Put the probe where the plane was taken"));
   connect(go_, &QPushButton::clicked, this, [this] {
-    const auto plane = planeOf(target_);
-    const auto fileToWorld = placeOf(manifest_);
-    if (!plane || !fileToWorld) return;
-    const auto placed = host_.scan().placeProbe(*fileToWorld * *plane);
+    if (!target_.probeToFile) return;
+    const auto placed = host_.scan().placeProbe(fileToWorld_ * *target_.probeToFile);
     onSaid(placed ? QString() : words(placed.error().message));
   });
   form->addRow(go_);
-  position_ = addTolerance(form, tr("Place within"), "position_tolerance_mm", 200.0, tr("mm"), "planePosition");
-  angle_ = addTolerance(form, tr("Tilted at most"), "angle_tolerance_deg", 180.0, tr("°"), "planeAngle");
+  position_ =
+      addTolerance(form, tr("Place within"), &CaseTarget::positionTolerance_mm, "position_tolerance_mm", 200.0, tr("mm"), "planePosition");
+  angle_ = addTolerance(form, tr("Tilted at most"), &CaseTarget::angleTolerance_deg, "angle_tolerance_deg", 180.0, tr("°"), "planeAngle");
 }
 
-QDoubleSpinBox* PlanePage::addTolerance(QFormLayout* form, const QString& text, const char* key, double highest, const QString& unit,
-                                        const char* name) {
+QDoubleSpinBox* PlanePage::addTolerance(QFormLayout* form, const QString& text, std::optional<double> CaseTarget::*tolerance,
+                                        const char* key, double highest, const QString& unit, const char* name) {
   auto* field = new NumberField(0.1, highest, 1, unit);
   field->setObjectName(QLatin1String(name));
   field->setAccessibleName(text);
-  connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, key](double value) {
-    change(tr("Change the tolerance"), key, [key, value](const nlohmann::json& manifest, std::size_t n) {
-      return withTarget(manifest, n, withField(targetAt(manifest, n), key, value));
+  connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, tolerance, key](double value) {
+    change(tr("Change the tolerance"), key, [tolerance, value](Case edited, std::size_t n) {
+      return withTarget(std::move(edited), n, [&](CaseTarget& target) { target.*tolerance = value; });
     });
   });
   form->addRow(quietLabel(text), field);
   return field;
 }
 
-void PlanePage::setTarget(const nlohmann::json& manifest, const nlohmann::json& target) {
-  manifest_ = manifest;
+void PlanePage::setTarget(const Case& shown, const CaseTarget& target) {
+  fileToWorld_ = shown.volume.fileToWorld;
   target_ = target;
   const QSignalBlocker quietPosition(position_), quietAngle(angle_);
-  position_->setValue(numberOf(target, "position_tolerance_mm", 5.0));
-  angle_->setValue(numberOf(target, "angle_tolerance_deg", 10.0));
-  const bool isOwn = planeOf(target).has_value();
+  position_->setValue(target.positionTolerance_mm.value_or(5.0));
+  angle_->setValue(target.angleTolerance_deg.value_or(10.0));
+  const bool isOwn = target.probeToFile.has_value();
   go_->setEnabled(isOwn);
   go_->setToolTip(isOwn ? tr("Put the probe where the plane was taken")
                         : tr("The patient's own plane of this name is kept by the patient"));
@@ -154,12 +148,10 @@ void PlanePage::setTarget(const nlohmann::json& manifest, const nlohmann::json& 
 }
 
 void PlanePage::see(const ScanState& image) {
-  const auto plane = planeOf(target_);
-  const auto fileToWorld = placeOf(manifest_);
-  if (!plane || !fileToWorld) return;
+  if (!target_.probeToFile) return;
   const PlaneTolerance tolerance{position_->value(), angle_->value()};
   // Judged where the middle of the picture is, as it is for a trainee.
-  const auto error = planeError({*fileToWorld * *plane, {0.0, 0.5 * seenSize_mm(image).y}}, image.pose.probeToWorld);
+  const auto error = planeError({fileToWorld_ * *target_.probeToFile, {0.0, 0.5 * seenSize_mm(image).y}}, image.pose.probeToWorld);
   const QString figures = tr("%1 mm and %2° away").arg(shownNumber(error.distance_mm), shownNumber(error.angle_deg, 0));
   away_->setText(isFound(error, tolerance) ? tr("%1: within the tolerance").arg(figures) : figures);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <nlohmann/json.hpp>
 
 #include "ew/sdk/host.h"
 #include "ew/sdk/scan.h"
@@ -15,7 +14,7 @@ class PointPage final : public QWidget {
 
  public:
   explicit PointPage(sdk::Host& host, QWidget* parent = nullptr);
-  void setTarget(const nlohmann::json& target);
+  void setTarget(const CaseTarget& target);
   /// Nobody asks for a click any more.
   void rest();
 
@@ -37,24 +36,26 @@ class PlanePage final : public QWidget {
 
  public:
   explicit PlanePage(sdk::Host& host, QWidget* parent = nullptr);
-  void setTarget(const nlohmann::json& manifest, const nlohmann::json& target);
+  void setTarget(const Case& shown, const CaseTarget& target);
   void see(const ScanState& image);
 
   TargetChange change;
   std::function<void(const QString& sentence)> onSaid;
 
  private:
-  QDoubleSpinBox* addTolerance(class QFormLayout* form, const QString& text, const char* key, double highest, const QString& unit,
-                               const char* name);
+  /// @param key of edits in a row
+  QDoubleSpinBox* addTolerance(class QFormLayout* form, const QString& text, std::optional<double> CaseTarget::*tolerance, const char* key,
+                               double highest, const QString& unit, const char* name);
 
   sdk::Host& host_;
-  nlohmann::json manifest_, target_;
+  Transform<frame::World, frame::File> fileToWorld_;
+  CaseTarget target_;
   QLabel* away_ = nullptr;
   QPushButton* go_ = nullptr;
   QDoubleSpinBox *position_ = nullptr, *angle_ = nullptr;
 };
 
 /// Where the image plane of an image lies in the frame of the case's file.
-[[nodiscard]] std::optional<Transform<frame::File, frame::Probe>> planeInFile(const nlohmann::json& manifest, const ScanState& image);
+[[nodiscard]] Transform<frame::File, frame::Probe> planeInFile(const Case& shown, const ScanState& image);
 
 }  // namespace ew::case_authoring

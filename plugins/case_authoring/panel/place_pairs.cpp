@@ -9,7 +9,6 @@
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "panel/place_panel.h"
 
 namespace ew::case_authoring {
@@ -88,9 +87,9 @@ void PlacePanel::stopAsking() {
 }
 
 void PlacePanel::showPairs() {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return;
-  const std::string mannequin = textOf(*manifest, "mannequin");
+  const auto opened = host_.cases().current();
+  if (!opened) return;
+  const std::string& mannequin = opened->mannequin;
   if (!hasLandmarks_ || mannequin != landmarksOf_) {
     landmarksOf_ = mannequin;
     hasLandmarks_ = true;

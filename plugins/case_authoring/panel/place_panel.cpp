@@ -19,7 +19,6 @@
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
@@ -178,23 +177,22 @@ void PlacePanel::hideEvent(QHideEvent* event) {
 }
 
 std::optional<PlacePanel::Placed> PlacePanel::placed() const {
-  const auto manifest = host_.cases().current();
+  const auto opened = host_.cases().current();
   const auto scan = host_.cases().scan();
   const auto scanned = host_.scan().scanned();
-  if (!manifest || !scan || !scanned || !scanned->skin) return std::nullopt;
-  const auto fileToWorld = placeOf(*manifest);
-  if (!fileToWorld) return std::nullopt;
+  if (!opened || !scan || !scanned || !scanned->skin) return std::nullopt;
   Placed now;
-  now.fileToWorld = *fileToWorld;
-  now.own = ew::placed(scanned->volume, renamed<frame::World, frame::World>(inverse(*fileToWorld)));
+  now.fileToWorld = opened->volume.fileToWorld;
+  const auto worldToFile = inverse(now.fileToWorld);
+  now.own = ew::placed(scanned->volume, renamed<frame::World, frame::World>(worldToFile));
   now.skin = scanned->skin;
   now.voxels = scanned->voxels;
-  const auto said = axesOf(*manifest);
+  const auto said = sweepAxesOf(*opened);
   now.isFaceSaid = said.has_value();
-  const glm::dvec3 patientsRight = (inverse(*fileToWorld) * Direction<frame::World>{{-1.0, 0.0, 0.0}}).along;
-  const auto start = startPoseOf(*manifest);
-  const auto beam = start ? std::optional(glm::dvec3(start->matrix[1])) : std::nullopt;
-  now.axes = said.value_or(axesOfFaces(now.own, patientsRight)[likelyFace(now.own, *fileToWorld, *now.skin, beam)]);
+  const glm::dvec3 patientsRight = (worldToFile * Direction<frame::World>{{-1.0, 0.0, 0.0}}).along;
+  const auto& start = opened->startPose;
+  const auto beam = start ? std::optional(glm::dvec3(start->probeToWorld.matrix[1])) : std::nullopt;
+  now.axes = said.value_or(axesOfFaces(now.own, patientsRight)[likelyFace(now.own, now.fileToWorld, *now.skin, beam)]);
   return now;
 }
 
@@ -208,9 +206,9 @@ const PlacingShape& PlacePanel::shapeNow(const Placed& now) {
 }
 
 void PlacePanel::showCase() {
-  const auto manifest = host_.cases().current();
-  pages_->setCurrentIndex(manifest ? 1 : 0);
-  if (!manifest) {
+  const auto opened = host_.cases().current();
+  pages_->setCurrentIndex(opened ? 1 : 0);
+  if (!opened) {
     stopAsking();
     handlesShown_.reset();
     over_.reset();
@@ -218,7 +216,7 @@ void PlacePanel::showCase() {
     shaped_.reset();
     return;
   }
-  if (const auto fileToWorld = placeOf(*manifest)) numbers_->setTransform(*fileToWorld);
+  numbers_->setTransform(opened->volume.fileToWorld);
   setProblem(problem_, {});
   const auto now = placed();
   skinSeen_ = now ? now->skin : nullptr;
@@ -263,8 +261,8 @@ void PlacePanel::chooseFace(int index) {
   if (!now || index == kOblique) return;
   const SweepAxes axes = axesOfFaces(now->own, now->axes.lateral)[static_cast<std::size_t>(index)];
   if (now->isFaceSaid && axes == now->axes) return;
-  const auto manifest = host_.cases().current();
-  if (const auto done = host_.cases().edit(withAxes(*manifest, axes), tr("Choose the near face").toStdString(), {}); !done)
+  const auto opened = host_.cases().current();
+  if (const auto done = host_.cases().edit(withSweepAxes(*opened, axes), tr("Choose the near face").toStdString(), {}); !done)
     say(done.error());
 }
 
@@ -310,15 +308,15 @@ void PlacePanel::showContact() {
 }
 
 void PlacePanel::place(const FilePlace& fileToWorld, const QString& what, const std::string& mergeKey) {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return;
+  auto next = host_.cases().current();
+  if (!next) return;
   setProblem(problem_, {});
-  const nlohmann::json next = withPlace(*manifest, fileToWorld);
-  if (next == *manifest) return;
-  const auto done = host_.cases().edit(next, what.toStdString(), mergeKey);
+  const auto before = std::exchange(next->volume.fileToWorld, fileToWorld);
+  if (before == fileToWorld) return;
+  const auto done = host_.cases().edit(*next, what.toStdString(), mergeKey);
   if (done) return;
   // Numbers and handles are where the author put them; the volume is not.
-  if (const auto still = placeOf(*manifest)) numbers_->setTransform(*still);
+  numbers_->setTransform(before);
   showHandles();
   say(done.error());
 }
@@ -329,11 +327,11 @@ void PlacePanel::turn(double angle_rad, const QString& what) {
 
 void PlacePanel::putAtUsualPlace() {
   const auto now = placed();
-  const auto manifest = host_.cases().current();
-  if (!now || !manifest) return;
+  const auto opened = host_.cases().current();
+  if (!now || !opened) return;
   MannequinLandmarks known;
   known.sites = sites_;
-  const PlacingSite* site = siteFor(known, textOf(*manifest, "region"));
+  const PlacingSite* site = siteFor(known, opened->region);
   if (site == nullptr) {
     setProblem(problem_, tr("Nobody has said where a probe is usually put on this mannequin; use the handles, or click on the skin."));
     return;

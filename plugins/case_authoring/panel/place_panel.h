@@ -4,7 +4,6 @@
 #include <QTimer>
 #include <QWidget>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 

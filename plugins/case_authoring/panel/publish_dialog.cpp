@@ -11,7 +11,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ew/core/foreign_json.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
 #include "ew/library/instructor_log.h"
@@ -125,14 +124,11 @@ void PublishDialog::check() {
     again_ = true;
     return;
   }
-  const auto manifest = host_.cases().current();
-  if (!manifest) {
+  const auto present = host_.cases().current();
+  if (!present) {
     close();
     return;
   }
-  auto present = caseFromManifest(*manifest, {});
-  if (!present) return tell(words(present.error()), true);
-  present->folder = host_.cases().currentFolder();
   static int number = 0;
   const int mine = checking_ = ++number;
   showButtons();
@@ -148,7 +144,7 @@ void PublishDialog::check() {
   if (const auto scanned = host_.scan().scanned(); scanned && host_.cases().scan()) sources.skin = scanned->skin;
   host_.jobs().start(
       tr("Checking the case").toStdString(),
-      [found, present = std::move(*present), sources](Progress& progress) mutable -> Result<void> {
+      [found, present = *present, sources](Progress& progress) mutable -> Result<void> {
         if (!found->volume) found->volume = volumeOf(present, progress);
         sources.volume = found->volume;
         auto list = publishingList(present, sources, progress);
@@ -277,9 +273,9 @@ std::optional<std::filesystem::path> PublishDialog::askForBundle(const QString& 
 
 void PublishDialog::exportCase() {
   if (!saved()) return;
-  const auto manifest = host_.cases().current();
-  if (!manifest) return;
-  const auto target = askForBundle(tr("Export the case"), words(textAt(*manifest, "id", "case")));
+  const auto present = host_.cases().current();
+  if (!present) return;
+  const auto target = askForBundle(tr("Export the case"), words(present->id));
   if (!target) return;
   const QString file = words(target->string());
   working_ = true;

@@ -21,7 +21,6 @@
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "logic/measurements.h"
 #include "panel/case_panel.h"
 #include "panel/fields.h"
@@ -37,49 +36,26 @@ namespace {
 
 constexpr int kRowsOfIds = 6;
 
-std::vector<std::string> idsIn(const nlohmann::json& manifest, const std::string& path) {
-  std::vector<std::string> ids;
-  const auto listed = fieldOf(manifest, path);
-  if (listed.is_array())
-    for (const auto& each : listed)
-      if (each.is_string()) ids.push_back(each.get<std::string>());
-  return ids;
-}
-
-nlohmann::json withId(nlohmann::json manifest, const std::string& path, const std::string& id, bool listed) {
-  auto ids = idsIn(manifest, path);
-  std::erase(ids, id);
-  if (listed) ids.push_back(id);
-  return withField(std::move(manifest), path, ids.empty() ? std::nullopt : std::optional<nlohmann::json>(ids));
-}
-
 /// The field of the form that a path is about: "previous_examinations[0].findings" stands in "previous_examinations".
 std::string rowOf(const std::string& path) { return path.substr(0, path.find('[')); }
 
 }  // namespace
 
-std::optional<Case> CasePanel::presentCase() const {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return std::nullopt;
-  auto present = caseFromManifest(*manifest, {});
-  if (!present) return std::nullopt;
-  present->folder = host_.cases().currentFolder();
-  return std::move(*present);
-}
-
 void CasePanel::addName(QFormLayout* form) {
   auto* invent = new QPushButton(tr("Invent"));
   invent->setObjectName(QStringLiteral("inventName"));
   invent->setToolTip(tr("Invent a name: one that nobody has"));
-  addLine(form, "patient.name", tr("Name"), tr("Change the patient's name"), invent);
+  addLine(form, "patient.name", fieldAt(&CasePatient::name), tr("Name"), tr("Change the patient's name"), invent);
   connect(invent, &QPushButton::clicked, this, [this] {
-    const auto present = presentCase();
+    const auto present = host_.cases().current();
     if (!present) return;
     const std::string name =
         inventedName(QRandomGenerator::global()->generate64(), QLocale().name().toStdString().substr(0, 2), present->patient.sex);
-    change("patient.name", tr("Invent a name"),
-           [&](nlohmann::json manifest) { return withText(std::move(manifest), "patient.name", name); });
-    if (const auto manifest = host_.cases().current()) fields_["patient.name"].show(*manifest);
+    change("patient.name", tr("Invent a name"), [&](Case edited) {
+      edited.patient.name = name;
+      return edited;
+    });
+    if (const auto now = host_.cases().current()) fields_["patient.name"].show(*now);
   });
 }
 
@@ -99,9 +75,9 @@ void CasePanel::addVolume(QFormLayout* form) {
   cell->setFocusProxy(give);
   const std::string path = "volume.file";
   fields_[path] = {
-      [what, give](const nlohmann::json& manifest) {
-        const std::string file = textOf(manifest, "volume.file"), recipe = textOf(manifest, "volume.recipe");
-        const bool hasNone = file.empty() && recipe.empty();
+      [what, give](const Case& shown) {
+        const std::string &file = shown.volume.file, &recipe = shown.volume.recipe;
+        const bool hasNone = hasNoVolume(shown);
         what->setText(hasNone ? tr("none yet") : file.empty() ? tr("made from the virtual patient %1").arg(words(recipe)) : words(file));
         give->setText(hasNone ? tr("Give the case a volume…") : tr("Another volume…"));
       },
@@ -118,39 +94,35 @@ void CasePanel::addMeasurements() {
   const std::string path = "measurements";
   QFormLayout* form = &addSection(QStringLiteral("measurements"), tr("Expected measurements"))->form();
   auto* field = new MeasurementsField;
-  field->onChanged = [this, path](const nlohmann::json& list) {
-    change(path, tr("Change the expected measurements"), [&](nlohmann::json manifest) {
-      return withField(std::move(manifest), path, list.is_null() ? std::nullopt : std::optional<nlohmann::json>(list));
+  field->onChanged = [this, path](const std::vector<CaseMeasurement>& list) {
+    change(path, tr("Change the expected measurements"), [&](Case edited) {
+      edited.measurements = list;
+      return edited;
     });
   };
-  field->onTake = [this](const nlohmann::json& expected) { return takeCaliper(expected); };
-  fields_[path] = {[field, path](const nlohmann::json& manifest) {
-                     field->setPatientKnows(!textOf(manifest, "volume.recipe").empty());
-                     field->setValue(fieldOf(manifest, path));
+  field->onTake = [this](const CaseMeasurement& expected) { return takeCaliper(expected); };
+  fields_[path] = {[field](const Case& shown) {
+                     field->setPatientKnows(!shown.volume.recipe.empty());
+                     field->setValue(shown.measurements);
                    },
                    addRow(form, {}, field, path)};
 }
 
-nlohmann::json CasePanel::takeCaliper(const nlohmann::json& expected) {
-  const auto manifest = host_.cases().current();
+std::optional<CaseMeasurement> CasePanel::takeCaliper(const CaseMeasurement& expected) {
+  const auto now = host_.cases().current();
   const auto state = host_.scan().state();
-  if (!manifest || !state || !host_.cases().scan()) {
+  if (!now || !state || !host_.cases().scan()) {
     setProblem(problem_, tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
-    return nullptr;
+    return std::nullopt;
   }
-  const auto fileToWorld = placeOf(*manifest);
-  if (!fileToWorld) {
-    say(fileToWorld.error());
-    return nullptr;
-  }
-  auto taken = withCaliper(expected, host_.scan().measurements(), inverse(*fileToWorld) * state->pose.probeToWorld);
+  auto taken = withCaliper(expected, host_.scan().measurements(), inverse(now->volume.fileToWorld) * state->pose.probeToWorld);
   if (taken) return std::move(*taken);
   say(taken.error());
-  return nullptr;
+  return std::nullopt;
 }
 
 void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString& label, const QString& none, const QString& atStart,
-                       const std::vector<std::pair<std::string, std::string>>& known) {
+                       const std::vector<std::pair<std::string, std::string>>& known, const CaseTexts& ids) {
   auto* cell = new QWidget;
   auto* column = new QVBoxLayout(cell);
   column->setContentsMargins(0, 0, 0, 0);
@@ -175,31 +147,34 @@ void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString
   list->setFixedHeight(rows * (list->fontMetrics().lineSpacing() + kGrid_px) + 2 * list->frameWidth());
   column->addWidget(list);
   cell->setFocusProxy(list);
-  connect(list, &QListWidget::itemChanged, this, [this, path](QListWidgetItem* item) {
+  connect(list, &QListWidget::itemChanged, this, [this, path, ids](QListWidgetItem* item) {
     const std::string id = item->data(Qt::UserRole).toString().toStdString();
     const bool on = item->checkState() == Qt::Checked;
-    change(path, on ? tr("Offer: %1").arg(item->text()) : tr("Take out: %1").arg(item->text()),
-           [&](nlohmann::json manifest) { return withId(std::move(manifest), path, id, on); });
-    if (const auto manifest = host_.cases().current()) fields_[path].show(*manifest);
+    change(path, on ? tr("Offer: %1").arg(item->text()) : tr("Take out: %1").arg(item->text()), [&](Case edited) {
+      auto listed = withListed(ids.of(edited), id, on);
+      return ids.with(std::move(edited), std::move(listed));
+    });
+    if (const auto now = host_.cases().current()) fields_[path].show(*now);
   });
-  fields_[path] = {[list, hint, path, none, atStart, add](const nlohmann::json& manifest) {
-                     const QSignalBlocker quiet(list);
-                     const auto ids = idsIn(manifest, path);
-                     const auto itemOf = [list](const std::string& id) -> QListWidgetItem* {
-                       for (int n = 0; n < list->count(); ++n)
-                         if (list->item(n)->data(Qt::UserRole).toString().toStdString() == id) return list->item(n);
-                       return nullptr;
-                     };
-                     for (const std::string& id : ids)
-                       if (itemOf(id) == nullptr) add(id, tr("%1 (unknown)").arg(words(id)));
-                     for (int n = 0; n < list->count(); ++n) {
-                       const std::string id = list->item(n)->data(Qt::UserRole).toString().toStdString();
-                       list->item(n)->setCheckState(std::find(ids.begin(), ids.end(), id) != ids.end() ? Qt::Checked : Qt::Unchecked);
-                     }
-                     hint->setText(ids.empty() ? none : atStart.isEmpty() ? QString() : atStart.arg(itemOf(ids.front())->text()));
-                     hint->setVisible(!hint->text().isEmpty());
-                   },
-                   addRow(form, label, cell, path)};
+  fields_[path] = {
+      [list, hint, none, atStart, add, ids](const Case& shown) {
+        const QSignalBlocker quiet(list);
+        const auto listed = ids.of(shown);
+        const auto itemOf = [list](const std::string& id) -> QListWidgetItem* {
+          for (int n = 0; n < list->count(); ++n)
+            if (list->item(n)->data(Qt::UserRole).toString().toStdString() == id) return list->item(n);
+          return nullptr;
+        };
+        for (const std::string& id : listed)
+          if (itemOf(id) == nullptr) add(id, tr("%1 (unknown)").arg(words(id)));
+        for (int n = 0; n < list->count(); ++n) {
+          const std::string id = list->item(n)->data(Qt::UserRole).toString().toStdString();
+          list->item(n)->setCheckState(std::find(listed.begin(), listed.end(), id) != listed.end() ? Qt::Checked : Qt::Unchecked);
+        }
+        hint->setText(listed.empty() ? none : atStart.isEmpty() ? QString() : atStart.arg(itemOf(listed.front())->text()));
+        hint->setVisible(!hint->text().isEmpty());
+      },
+      addRow(form, label, cell, path)};
 }
 
 void CasePanel::addPicturesTo(ExaminationsField& field, std::size_t number) {
@@ -233,7 +208,7 @@ void CasePanel::addPicturesTo(ExaminationsField& field, std::size_t number) {
 
 void CasePanel::showWarnings() {
   std::map<std::string, QStringList> warnings;
-  if (const auto present = presentCase())
+  if (const auto present = host_.cases().current())
     for (const RealLooking& each : realLooking(*present)) warnings[rowOf(each.field)] << words(each.text);
   for (auto& [path, row] : rows_) {
     QStringList& sentences = warnings[path];
@@ -244,7 +219,7 @@ void CasePanel::showWarnings() {
 }
 
 void CasePanel::showMissing() {
-  const auto present = presentCase();
+  const auto present = host_.cases().current();
   std::map<Section*, QStringList> missing;
   std::set<Section*> needed;
   // What a case needs in any event; the marks stand where it is written, whether it is there or not.

@@ -17,13 +17,12 @@
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "panel/case_panel.h"
 #include "panel/fields.h"
 
 namespace ew::case_authoring {
 
-void CasePanel::addLines(QFormLayout* form, const std::string& path, const QString& label, const QString& what) {
+void CasePanel::addLines(QFormLayout* form, const std::string& path, const CaseTexts& texts, const QString& label, const QString& what) {
   auto* text = new QPlainTextEdit;
   text->setObjectName(nameOf(path));
   text->setPlaceholderText(tr("one a line"));
@@ -31,15 +30,15 @@ void CasePanel::addLines(QFormLayout* form, const std::string& path, const QStri
   text->setMinimumHeight(8 * kGrid_px);
   text->setMaximumHeight(14 * kGrid_px);
   text->setUndoRedoEnabled(false);  // undo is the host's, for the whole case
-  connect(text, &QPlainTextEdit::textChanged, this, [this, text, path, what] {
-    change(path, what, [&](nlohmann::json manifest) { return withLines(std::move(manifest), path, text->toPlainText().toStdString()); });
+  connect(text, &QPlainTextEdit::textChanged, this, [this, text, path, what, texts] {
+    change(path, what, [&](Case edited) { return texts.with(std::move(edited), textsIn(text->toPlainText().toStdString())); });
   });
-  fields_[path] = {[text, path](const nlohmann::json& manifest) {
+  fields_[path] = {[text, texts](const Case& shown) {
                      // Lines without words are on their way to have some: only another list replaces what is being typed.
-                     const auto typed = withLines(nlohmann::json::object(), path, text->toPlainText().toStdString());
-                     if (fieldOf(typed, path) == fieldOf(manifest, path)) return;
+                     const auto next = texts.of(shown);
+                     if (textsIn(text->toPlainText().toStdString()) == next) return;
                      const QSignalBlocker quiet(text);
-                     text->setPlainText(words(linesOf(manifest, path)));
+                     text->setPlainText(words(linesOf(next)));
                    },
                    addRow(form, label, text, path)};
 }
@@ -48,14 +47,15 @@ void CasePanel::addExaminations(QFormLayout* form) {
   const std::string path = "previous_examinations";
   auto* field = new ExaminationsField;
   field->onPicturesAsked = [this, field](std::size_t number) { addPicturesTo(*field, number); };
-  field->onChanged = [this, path](const nlohmann::json& list) {
-    change(path, tr("Change the earlier examinations"), [&](nlohmann::json manifest) {
-      return withField(std::move(manifest), path, list.is_null() ? std::nullopt : std::optional<nlohmann::json>(list));
+  field->onChanged = [this, path](const std::vector<CaseExamination>& list) {
+    change(path, tr("Change the earlier examinations"), [&](Case edited) {
+      edited.previousExaminations = list;
+      return edited;
     });
   };
-  fields_[path] = {[this, field, path](const nlohmann::json& manifest) {
+  fields_[path] = {[this, field](const Case& shown) {
                      field->setFolder(host_.cases().currentFolder());
-                     field->setValue(fieldOf(manifest, path));
+                     field->setValue(shown.previousExaminations);
                    },
                    addRow(form, tr("Earlier"), field, path)};
 }
@@ -63,12 +63,19 @@ void CasePanel::addExaminations(QFormLayout* form) {
 void CasePanel::addLaboratory(QFormLayout* form) {
   const std::string path = "laboratory";
   auto* field = new ExaminationsField(ExaminationsField::Of::laboratory);
-  field->onChanged = [this, path](const nlohmann::json& list) {
-    change(path, tr("Change the laboratory values"), [&](nlohmann::json manifest) {
-      return withField(std::move(manifest), path, list.is_null() ? std::nullopt : std::optional<nlohmann::json>(list));
+  field->onChanged = [this, path](const std::vector<CaseExamination>& list) {
+    change(path, tr("Change the laboratory values"), [&](Case edited) {
+      edited.laboratory.clear();
+      for (const CaseExamination& each : list) edited.laboratory.push_back({each.when, each.findings, each.otherFields});
+      return edited;
     });
   };
-  fields_[path] = {[field, path](const nlohmann::json& manifest) { field->setValue(fieldOf(manifest, path)); },
+  fields_[path] = {[field](const Case& shown) {
+                     std::vector<CaseExamination> list;
+                     for (const CaseLaboratory& each : shown.laboratory)
+                       list.push_back({each.when, {}, each.findings, {}, each.otherFields});
+                     field->setValue(list);
+                   },
                    addRow(form, tr("Laboratory"), field, path)};
 }
 
@@ -81,14 +88,14 @@ void CasePanel::addDifficulty(QFormLayout* form) {
                                         tr("3, intermediate"), tr("4, advanced"),    tr("5, examination")};
   for (std::size_t level = 0; level < names.size(); ++level) choice->addItem(names[level], static_cast<int>(level));
   connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, path](int level) {
-    change(path, tr("Change the difficulty"), [&](nlohmann::json manifest) {
-      return withField(std::move(manifest), path, level == 0 ? std::nullopt : std::optional<nlohmann::json>(level));
+    change(path, tr("Change the difficulty"), [level](Case edited) {
+      edited.difficulty = level == 0 ? std::nullopt : std::optional(level);
+      return edited;
     });
   });
-  fields_[path] = {[choice, path](const nlohmann::json& manifest) {
+  fields_[path] = {[choice](const Case& shown) {
                      const QSignalBlocker quiet(choice);
-                     const auto value = fieldOf(manifest, path);
-                     choice->setCurrentIndex(value.is_number_integer() ? std::clamp(value.get<int>(), 0, 5) : 0);
+                     choice->setCurrentIndex(std::clamp(shown.difficulty.value_or(0), 0, 5));
                    },
                    addRow(form, tr("Difficulty"), choice, path)};
 }
@@ -121,8 +128,8 @@ void CasePanel::addStartPose(QFormLayout* form) {
   const auto set = [this, path](const QString& what, const std::optional<Transform<frame::World, frame::Probe>>& pose) {
     // Taken and removed again are two steps: who undoes the second wants the first back.
     change(
-        path, what, [&](nlohmann::json manifest) { return withStartPose(std::move(manifest), pose); }, pose ? " taken" : " removed");
-    if (const auto manifest = host_.cases().current()) fields_[path].show(*manifest);
+        path, what, [&](Case edited) { return withStartPose(std::move(edited), pose); }, pose ? " taken" : " removed");
+    if (const auto now = host_.cases().current()) fields_[path].show(*now);
   };
   connect(take, &QPushButton::clicked, this, [this, set] {
     const auto scan = host_.cases().scan();
@@ -133,12 +140,12 @@ void CasePanel::addStartPose(QFormLayout* form) {
     set(tr("Set the start pose"), scan->probeToWorld);
   });
   connect(leave, &QPushButton::clicked, this, [set] { set(tr("Remove the start pose"), std::nullopt); });
-  fields_[path] = {[place, leave](const nlohmann::json& manifest) {
-                     const auto pose = startPoseOf(manifest);
+  fields_[path] = {[place, leave](const Case& shown) {
+                     const auto& pose = shown.startPose;
                      leave->setEnabled(pose.has_value());
                      if (!pose) return place->setText(tr("on the skin before the volume's middle"));
                      const auto mm = [](double value) { return QLocale().toString(value, 'f', 1); };
-                     const glm::dvec4& at_mm = pose->matrix[3];
+                     const glm::dvec4& at_mm = pose->probeToWorld.matrix[3];
                      place->setText(tr("x %1  y %2  z %3 mm").arg(mm(at_mm.x), mm(at_mm.y), mm(at_mm.z)));
                    },
                    addRow(form, tr("Start pose"), cell, path)};
@@ -153,28 +160,30 @@ void CasePanel::addProbes(QFormLayout* form) {
   auto* hint = quietLabel({});
   hint->setObjectName(QStringLiteral("probesHint"));
   column->addWidget(hint);
-  // The program's own, and those of the manifest that it does not know: one that cannot be seen cannot be taken out.
+  // The program's own, and those of the case that it does not know: one that cannot be seen cannot be taken out.
   auto boxes = std::make_shared<std::map<std::string, QCheckBox*>>();
   const auto names = host_.cases().choices().probes;
   const auto box = [this, path, boxes, column](const std::string& id, const QString& name) {
     auto* made = new QCheckBox(name);
     made->setObjectName(QStringLiteral("probe_") + words(id));
     connect(made, &QCheckBox::toggled, this, [this, path, id, name](bool on) {
-      change(path, on ? tr("Allow: %1").arg(name) : tr("Take out: %1").arg(name),
-             [&](nlohmann::json manifest) { return withProbe(std::move(manifest), id, on); });
-      if (const auto manifest = host_.cases().current()) fields_[path].show(*manifest);
+      change(path, on ? tr("Allow: %1").arg(name) : tr("Take out: %1").arg(name), [&](Case edited) {
+        edited.probes = withListed(std::move(edited.probes), id, on);
+        return edited;
+      });
+      if (const auto now = host_.cases().current()) fields_[path].show(*now);
     });
     column->addWidget(made);
     (*boxes)[id] = made;
   };
   for (const auto& [id, name] : names) box(id, words(name));
-  fields_[path] = {[boxes, box, names, hint](const nlohmann::json& manifest) {
-                     const auto listed = probesOf(manifest);
+  fields_[path] = {[boxes, box, names, hint](const Case& shown) {
+                     const auto& listed = shown.probes;
                      for (const std::string& id : listed)
                        if (boxes->count(id) == 0) box(id, tr("%1 (unknown)").arg(words(id)));
                      for (const auto& [id, one] : *boxes) {
                        const QSignalBlocker quiet(one);
-                       one->setChecked(listsProbe(manifest, id));
+                       one->setChecked(std::find(listed.begin(), listed.end(), id) != listed.end());
                      }
                      const auto first = std::find_if(names.begin(), names.end(),
                                                      [&](const auto& one) { return !listed.empty() && one.first == listed.front(); });
@@ -194,11 +203,13 @@ void CasePanel::addMannequin(QFormLayout* form) {
   choice->addItem(tr("the usual one"), QString());
   for (const auto& [file, name] : host_.cases().choices().mannequins) choice->addItem(words(name), words(file));
   connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, choice, path] {
-    change(path, tr("Change the mannequin"),
-           [&](nlohmann::json manifest) { return withText(std::move(manifest), path, choice->currentData().toString().toStdString()); });
+    change(path, tr("Change the mannequin"), [file = choice->currentData().toString().toStdString()](Case edited) {
+      edited.mannequin = file;
+      return edited;
+    });
   });
-  fields_[path] = {[choice, path](const nlohmann::json& manifest) {
-                     const QString file = words(textOf(manifest, path));
+  fields_[path] = {[choice](const Case& shown) {
+                     const QString file = words(shown.mannequin);
                      const QSignalBlocker quiet(choice);
                      if (choice->findData(file) < 0) choice->addItem(file, file);  // one of the case's own folder
                      choice->setCurrentIndex(choice->findData(file));
@@ -208,20 +219,19 @@ void CasePanel::addMannequin(QFormLayout* form) {
 }
 
 void CasePanel::showStartRemark() {
-  const auto manifest = host_.cases().current();
+  const auto now = host_.cases().current();
   const auto scan = host_.cases().scan();
-  const auto pose = manifest ? startPoseOf(*manifest) : std::nullopt;
-  const bool beside = scan && pose && !seesVolume(*scan, *pose);
+  const bool beside = scan && now && now->startPose && !seesVolume(*scan, now->startPose->probeToWorld);
   setProblem(startRemark_, beside ? tr("From here the probe does not see the volume; use another place, or move the volume.") : QString());
 }
 
 void CasePanel::checkCase() {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return;
+  const auto now = host_.cases().current();
+  if (!now) return;
   QStringList found;
-  for (const Error& problem : host_.cases().check(*manifest)) found << words(problem.message);
+  for (const Error& problem : host_.cases().check(*now)) found << words(problem.message);
   const auto known = host_.cases().choices().probes;
-  for (const std::string& id : probesOf(*manifest))
+  for (const std::string& id : now->probes)
     if (!known.empty() && found.filter(words(id)).isEmpty() &&
         std::none_of(known.begin(), known.end(), [&](const auto& one) { return one.first == id; }))
       found << tr("There is no probe '%1'; take it out.").arg(words(id));

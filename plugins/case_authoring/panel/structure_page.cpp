@@ -20,7 +20,6 @@
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "logic/targets.h"
 #include "logic/tissues.h"
 #include "panel/fields.h"
@@ -58,9 +57,8 @@ StructurePage::StructurePage(sdk::Host& host, PaintWork& work, QWidget* parent) 
   connect(organ_, QOverload<int>::of(&QComboBox::activated), this, [this] {
     const std::string organ = organ_->currentData().toString().toStdString();
     if (!organ.empty())
-      change(tr("Choose the organ"), "organ", [organ](nlohmann::json manifest, std::size_t n) {
-        const auto target = withField(targetAt(manifest, n), "organ", organ);
-        return withTarget(std::move(manifest), n, target);
+      change(tr("Choose the organ"), "organ", [organ](Case edited, std::size_t n) {
+        return withTarget(std::move(edited), n, [&](CaseTarget& target) { target.organ = organ; });
       });
   });
   column->addWidget(organPart_);
@@ -161,9 +159,9 @@ QWidget* StructurePage::makeSettings() {
   connect(tissue_, QOverload<int>::of(&QComboBox::activated), this, [this] {
     const int chosen = tissue_->currentData().toInt();
     if (chosen < -1) return;
-    change(tr("Choose the tissue"), "tissue", [chosen](const nlohmann::json& manifest, std::size_t n) {
-      const auto target = targetAt(manifest, n);
-      return withTissue(manifest, labelOf(target).value_or(0), textOf(target, "name"),
+    change(tr("Choose the tissue"), "tissue", [chosen](Case edited, std::size_t n) {
+      const CaseTarget target = edited.targets[n];
+      return withTissue(std::move(edited), target.label.value_or(0), target.name,
                         chosen < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(chosen)));
     });
   });
@@ -237,13 +235,13 @@ void StructurePage::takeTool(PaintTool tool, bool on) {
   showSettings();
 }
 
-void StructurePage::setTarget(const nlohmann::json& manifest, const nlohmann::json& target) {
-  manifest_ = manifest;
+void StructurePage::setTarget(const Case& shown, const CaseTarget& target) {
+  case_ = shown;
   target_ = target;
-  const bool isOrgan = hasPatient(manifest);
+  const bool isOrgan = hasPatient(shown);
   organPart_->setVisible(isOrgan);
   labelPart_->setVisible(!isOrgan);
-  work_.setLabel(isOrgan ? 0 : labelOf(target).value_or(0));
+  work_.setLabel(isOrgan ? 0 : target.label.value_or(0));
   if (isOrgan) return showOrgans();
   showTissue();
   followWork();
@@ -256,19 +254,19 @@ void StructurePage::showOrgans() {
     for (const TissueAcoustics& tissue : image->scene.tissues)
       if (tissue.label > 0 && organ_->findData(words(tissue.name)) < 0) organ_->addItem(words(tissue.name), words(tissue.name));
   organ_->model()->sort(0);
-  const QString organ = words(textOf(target_, "organ"));
+  const QString organ = words(target_.organ);
   if (organ_->findData(organ) < 0) organ_->insertItem(0, organ.isEmpty() ? tr("Choose an organ") : organ, organ);
   organ_->setCurrentIndex(organ_->findData(organ));
 }
 
 void StructurePage::showTissue() {
-  const int label = labelOf(target_).value_or(0);
+  const int label = target_.label.value_or(0);
   const QSignalBlocker quiet(tissue_);
   const int own = tissue_->findData(-2);
   if (own >= 0) tissue_->removeItem(own);
-  const auto named = tissueOf(manifest_, label);
-  if (!named && hasTissue(manifest_, label)) tissue_->addItem(tr("numbers of its own"), -2);
-  tissue_->setCurrentIndex(tissue_->findData(named ? static_cast<int>(*named) : hasTissue(manifest_, label) ? -2 : -1));
+  const auto named = tissueOf(case_, label);
+  if (!named && hasTissue(case_, label)) tissue_->addItem(tr("numbers of its own"), -2);
+  tissue_->setCurrentIndex(tissue_->findData(named ? static_cast<int>(*named) : hasTissue(case_, label) ? -2 : -1));
 }
 
 void StructurePage::showSettings() {
@@ -294,7 +292,7 @@ void StructurePage::followWork() {
   }
   if (tool) shownTool_ = *tool;
   showSettings();
-  const int label = labelOf(target_).value_or(0);
+  const int label = target_.label.value_or(0);
   const auto scanned = host_.scan().scanned();
   const Volume* labels = work_.painting() != nullptr ? &work_.painting()->labels() : scanned ? scanned->labels.get() : nullptr;
   const double ml = labels != nullptr && label > 0 ? labelling::volume_ml(*labels, static_cast<std::uint8_t>(label)) : 0.0;

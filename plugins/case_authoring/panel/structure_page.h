@@ -3,7 +3,6 @@
 #include <QWidget>
 #include <array>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "ew/sdk/host.h"
@@ -21,10 +20,10 @@ namespace ew::case_authoring {
 
 class PaintWork;
 
-/// Asks for an edit of the manifest and the chosen target's number in it, as one step named `what`; those of one part in a row are one
+/// Asks for an edit of the case and the chosen target's number in it, as one step named `what`; those of one part in a row are one
 /// step.
-using TargetChange = std::function<void(const QString& what, const std::string& part,
-                                        const std::function<nlohmann::json(nlohmann::json manifest, std::size_t number)>& edit)>;
+using TargetChange =
+    std::function<void(const QString& what, const std::string& part, const std::function<Case(Case edited, std::size_t number)>& edit)>;
 
 /// What a structure among the targets consists of: an organ of the virtual patient, or a label that is painted, traced and grown in the
 /// scan, with the tissue that decides about its shadow.
@@ -35,7 +34,7 @@ class StructurePage final : public QWidget {
   StructurePage(sdk::Host& host, PaintWork& work, QWidget* parent = nullptr);
 
   /// The structure that is edited.
-  void setTarget(const nlohmann::json& manifest, const nlohmann::json& target);
+  void setTarget(const Case& shown, const CaseTarget& target);
   /// What is painted, the tool, or whether it is busy has changed.
   void followWork();
 
@@ -56,7 +55,8 @@ class StructurePage final : public QWidget {
 
   sdk::Host& host_;
   PaintWork& work_;
-  nlohmann::json manifest_, target_;
+  Case case_;
+  CaseTarget target_;
   PaintTool shownTool_ = PaintTool::paint;
   QWidget *organPart_ = nullptr, *labelPart_ = nullptr;
   QComboBox *organ_ = nullptr, *tissue_ = nullptr, *shape_ = nullptr;

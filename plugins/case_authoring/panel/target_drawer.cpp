@@ -6,7 +6,6 @@
 
 #include "ew/imaging/display.h"
 #include "ew/labelling/outline.h"
-#include "logic/edits.h"
 #include "logic/painting.h"
 #include "logic/targets.h"
 
@@ -14,6 +13,7 @@ namespace ew::case_authoring {
 namespace {
 
 constexpr int kCorners = 48;
+constexpr double kUsualTolerance_mm = 10.0;  // of a point whose case says none
 
 template <class Frame>
 sdk::OverlayLine<Frame> ring(const glm::dvec3& middle, const glm::dvec3& a, const glm::dvec3& b, sdk::OverlayRole role) {
@@ -41,12 +41,11 @@ glm::dvec2 seenSize_mm(const ScanState& image) {
   return {isSector(image.probe.kind) ? depth_mm : faceHalfWidth_mm(image.probe), depth_mm};
 }
 
-int labelIn(const nlohmann::json& target, const std::optional<ScanState>& image) {
-  if (const auto label = labelOf(target)) return *label;
-  const std::string organ = textOf(target, "organ");
-  if (organ.empty() || !image) return 0;
+int labelIn(const CaseTarget& target, const std::optional<ScanState>& image) {
+  if (target.label) return *target.label;
+  if (target.organ.empty() || !image) return 0;
   for (const TissueAcoustics& tissue : image->scene.tissues)
-    if (tissue.name == organ) return tissue.label;
+    if (tissue.name == target.organ) return tissue.label;
   return 0;
 }
 
@@ -67,8 +66,8 @@ void TargetDrawer::setShown(bool shown) {
   if (const auto image = host_.scan().state()) see(*image);
 }
 
-void TargetDrawer::setTargets(const nlohmann::json& manifest, std::size_t chosen) {
-  manifest_ = manifest;
+void TargetDrawer::setTargets(const Case& shown, std::size_t chosen) {
+  case_ = shown;
   chosen_ = chosen;
   setShown(isShown_);
 }
@@ -76,21 +75,20 @@ void TargetDrawer::setTargets(const nlohmann::json& manifest, std::size_t chosen
 void TargetDrawer::setPainting(const Painting* painting) { painting_ = painting; }
 
 int TargetDrawer::chosenLabel() const {
-  const auto target = targetAt(manifest_, chosen_);
-  return kindOf(target) == "structure" ? labelIn(target, host_.scan().state()) : 0;
+  const CaseTarget* target = targetAt(case_, chosen_);
+  return target != nullptr && target->kind == CaseTarget::Kind::structure ? labelIn(*target, host_.scan().state()) : 0;
 }
 
 std::vector<sdk::OverlayLine<frame::Probe>> TargetDrawer::outlines(const ScanState& image) const {
   const int label = chosenLabel();
   const auto scanned = host_.scan().scanned();
-  const auto fileToWorld = placeOf(manifest_);
-  if (label <= 0 || !scanned || !fileToWorld) return {};
+  if (label <= 0 || !scanned) return {};
   const glm::dvec2 size_mm = seenSize_mm(image);
   const labelling::PlaneArea area{-size_mm.x, size_mm.x, 0.0, size_mm.y, 1.0};
   std::vector<std::vector<glm::dvec2>> found;
   if (painting_ != nullptr) {
     const Volume& labels = painting_->labels();
-    const auto planeToFile = rigidInverse(*fileToWorld) * image.pose.probeToWorld;
+    const auto planeToFile = rigidInverse(case_.volume.fileToWorld) * image.pose.probeToWorld;
     found = labelling::outlinesOf(labels, static_cast<std::uint8_t>(label), labels.grid.toVoxel<frame::File>() * planeToFile, area);
   } else if (scanned->labels) {
     found = labelling::outlinesOf(*scanned->labels, static_cast<std::uint8_t>(label),
@@ -104,15 +102,14 @@ std::vector<sdk::OverlayLine<frame::Probe>> TargetDrawer::outlines(const ScanSta
 void TargetDrawer::see(const ScanState& image) {
   if (!overScan_) return;
   sdk::ScanDrawing drawing;
-  const auto target = targetAt(manifest_, chosen_);
-  const auto fileToWorld = placeOf(manifest_);
-  if (const auto at_mm = pointOf(target); at_mm && fileToWorld) {
-    const glm::dvec3 p = carried(rigidInverse(image.pose.probeToWorld) * *fileToWorld, *at_mm);
-    const double radius_mm = numberOf(target, "tolerance_mm", 10.0), within = radius_mm * radius_mm - p.z * p.z;
+  const CaseTarget* target = targetAt(case_, chosen_);
+  if (target != nullptr && target->at_mm) {
+    const glm::dvec3 p = carried(rigidInverse(image.pose.probeToWorld) * case_.volume.fileToWorld, *target->at_mm);
+    const double radius_mm = target->tolerance_mm.value_or(kUsualTolerance_mm), within = radius_mm * radius_mm - p.z * p.z;
     if (within > 0.0) {
       const double cut_mm = std::sqrt(within);
       drawing.lines.push_back(ring<frame::Probe>({p.x, p.y, 0.0}, {cut_mm, 0.0, 0.0}, {0.0, cut_mm, 0.0}, sdk::OverlayRole::guide));
-      drawing.labels.push_back({{{p.x, p.y, 0.0}}, textOf(target, "name"), sdk::OverlayRole::guide, true});
+      drawing.labels.push_back({{{p.x, p.y, 0.0}}, target->name, sdk::OverlayRole::guide, true});
     }
   }
   for (auto& line : outlines(image)) drawing.lines.push_back(std::move(line));
@@ -127,24 +124,24 @@ void TargetDrawer::see(const ScanState& image) {
 void TargetDrawer::drawBody() {
   if (!overBody_) return;
   sdk::BodyDrawing drawing;
-  const auto fileToWorld = placeOf(manifest_);
-  for (std::size_t n = 0; fileToWorld && n < targetCount(manifest_); ++n) {
-    const auto target = targetAt(manifest_, n);
+  const auto& fileToWorld = case_.volume.fileToWorld;
+  for (std::size_t n = 0; n < case_.targets.size(); ++n) {
+    const CaseTarget& target = case_.targets[n];
     const auto role = n == chosen_ ? sdk::OverlayRole::guide : sdk::OverlayRole::quiet;
-    if (const auto at_mm = pointOf(target)) {
-      const glm::dvec3 p = carried(*fileToWorld, *at_mm);
+    if (target.at_mm) {
+      const glm::dvec3 p = carried(fileToWorld, *target.at_mm);
       if (n == chosen_) {
-        const double r = numberOf(target, "tolerance_mm", 10.0);
+        const double r = target.tolerance_mm.value_or(kUsualTolerance_mm);
         const glm::dvec3 x(r, 0.0, 0.0), y(0.0, r, 0.0), z(0.0, 0.0, r);
         for (const auto& [a, b] : {std::pair{x, y}, std::pair{y, z}, std::pair{x, z}})
           drawing.lines.push_back(ring<frame::World>(p, a, b, role));
       }
-      drawing.labels.push_back({{p}, n == chosen_ ? textOf(target, "name") : std::string(), role, true});
+      drawing.labels.push_back({{p}, n == chosen_ ? target.name : std::string(), role, true});
     }
-    if (const auto probeToFile = planeOf(target)) {
+    if (target.probeToFile) {
       const auto image = host_.scan().state();
       const double depth_mm = image ? seenSize_mm(*image).y : 100.0;
-      drawing.planes.push_back({*fileToWorld * *probeToFile, -0.4 * depth_mm, 0.4 * depth_mm, 0.0, depth_mm, role});
+      drawing.planes.push_back({fileToWorld * *target.probeToFile, -0.4 * depth_mm, 0.4 * depth_mm, 0.0, depth_mm, role});
     }
   }
   overBody_->show(std::move(drawing));

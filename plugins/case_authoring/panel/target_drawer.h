@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -21,7 +20,7 @@ class TargetDrawer {
 
   void setShown(bool shown);
   /// @param chosen number of the target; one that is none chooses nothing
-  void setTargets(const nlohmann::json& manifest, std::size_t chosen);
+  void setTargets(const Case& shown, std::size_t chosen);
   /// Labels that are being painted are drawn in place of those of the case; null: nothing is painted.
   void setPainting(const Painting* painting);
   /// Draws into the image of this state, which also is where an outline that is being traced lies.
@@ -35,7 +34,7 @@ class TargetDrawer {
 
   sdk::Host& host_;
   bool isShown_ = false;
-  nlohmann::json manifest_;
+  Case case_;
   std::size_t chosen_ = 0;
   const Painting* painting_ = nullptr;
   std::shared_ptr<sdk::ScanOverlay> overScan_;
@@ -47,6 +46,6 @@ class TargetDrawer {
 /// The part of an image plane that a probe sees: half its width, and how far down, mm.
 [[nodiscard]] glm::dvec2 seenSize_mm(const ScanState& image);
 /// The label of a structure: its own, or of its organ in the tissues of what is scanned; 0: none.
-[[nodiscard]] int labelIn(const nlohmann::json& target, const std::optional<ScanState>& image);
+[[nodiscard]] int labelIn(const CaseTarget& target, const std::optional<ScanState>& image);
 
 }  // namespace ew::case_authoring

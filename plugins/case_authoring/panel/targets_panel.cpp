@@ -20,7 +20,6 @@
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/edits.h"
 #include "logic/targets.h"
 #include "logic/tissues.h"
 #include "panel/paint_work.h"
@@ -175,9 +174,8 @@ QWidget* TargetsPanel::makeEditor() {
   reveals_->setObjectName(QStringLiteral("targetReveals"));
   reveals_->setToolTip(tr("A trainee sees it with the findings, not before"));
   connect(reveals_, &QCheckBox::toggled, this, [this](bool on) {
-    change(tr("Change what gives the finding away"), "reveals", [on](const nlohmann::json& manifest, std::size_t n) {
-      return withTarget(manifest, n,
-                        withField(targetAt(manifest, n), "reveals_finding", on ? std::optional<nlohmann::json>(true) : std::nullopt));
+    change(tr("Change what gives the finding away"), "reveals", [on](Case edited, std::size_t n) {
+      return withTarget(std::move(edited), n, [on](CaseTarget& target) { target.revealsFinding = on; });
     });
   });
   column->addWidget(reveals_);
@@ -193,96 +191,97 @@ QWidget* TargetsPanel::makeEditor() {
 
 void TargetsPanel::say(const QString& sentence) { setProblem(problem_, sentence); }
 
-void TargetsPanel::change(const QString& what, const std::string& part,
-                          const std::function<nlohmann::json(nlohmann::json, std::size_t)>& edit) {
-  const auto manifest = host_.cases().current();
-  if (!manifest || targetAt(*manifest, chosen_).is_null()) return;
-  const auto done = host_.cases().edit(edit(*manifest, chosen_), what.toStdString(), "targets " + std::to_string(chosen_) + " " + part);
+void TargetsPanel::change(const QString& what, const std::string& part, const std::function<Case(Case edited, std::size_t number)>& edit) {
+  const auto now = host_.cases().current();
+  if (!now || targetAt(*now, chosen_) == nullptr) return;
+  const auto done = host_.cases().edit(edit(*now, chosen_), what.toStdString(), "targets " + std::to_string(chosen_) + " " + part);
   say(done ? QString() : words(done.error().message));
 }
 
-void TargetsPanel::add(const QString& what, const nlohmann::json& target) {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return;
-  const std::size_t number = targetCount(*manifest);
-  const auto done = host_.cases().edit(withTargetAdded(*manifest, target), what.toStdString(), {});
+void TargetsPanel::add(const QString& what, const CaseTarget& target) {
+  const auto now = host_.cases().current();
+  if (!now) return;
+  const auto done = host_.cases().edit(withTargetAdded(*now, target), what.toStdString(), {});
   say(done ? QString() : words(done.error().message));
   if (!done) return;
-  choose(number);
+  choose(now->targets.size());
   name_->setFocus();
   name_->selectAll();
 }
 
 void TargetsPanel::addPoint() {
-  const auto manifest = host_.cases().current();
+  const auto now = host_.cases().current();
   const auto image = host_.scan().state();
-  const auto plane = manifest && image && host_.cases().scan() ? planeInFile(*manifest, *image) : std::nullopt;
-  if (!plane) return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
-  add(tr("Add a point"),
-      pointTarget(freeTargetName(*manifest, tr("Point").toStdString()), carried(*plane, {0.0, 0.5 * seenSize_mm(*image).y, 0.0})));
+  if (!now || !image || !host_.cases().scan())
+    return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+  const glm::dvec3 middle_mm = carried(planeInFile(*now, *image), {0.0, 0.5 * seenSize_mm(*image).y, 0.0});
+  add(tr("Add a point"), pointTarget(freeTargetName(*now, tr("Point").toStdString()), middle_mm));
 }
 
 void TargetsPanel::addPlane() {
-  const auto manifest = host_.cases().current();
+  const auto now = host_.cases().current();
   const auto image = host_.scan().state();
-  const auto plane = manifest && image && host_.cases().scan() ? planeInFile(*manifest, *image) : std::nullopt;
-  if (!plane) return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
-  add(tr("Add a plane"), planeTarget(freeTargetName(*manifest, tr("Plane").toStdString()), *plane));
+  if (!now || !image || !host_.cases().scan())
+    return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
+  add(tr("Add a plane"), planeTarget(freeTargetName(*now, tr("Plane").toStdString()), planeInFile(*now, *image)));
 }
 
 void TargetsPanel::addStructure() {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return;
-  const std::string name = freeTargetName(*manifest, tr("Structure").toStdString());
-  if (hasPatient(*manifest)) {
+  const auto present = host_.cases().current();
+  if (!present) return;
+  if (hasPatient(*present)) {
     std::string organ;
     if (const auto image = host_.scan().state())
       for (const TissueAcoustics& tissue : image->scene.tissues)
         if (organ.empty() && tissue.label > 0) organ = tissue.name;
     if (organ.empty()) return say(tr("The patient's organs are known once the volume is scanned; choose View, Scan the case's volume."));
-    return add(tr("Add a structure"), organTarget(name, organ));
+    return add(tr("Add a structure"), organTarget(freeTargetName(*present, tr("Structure").toStdString()), organ));
   }
   work_->withLabelFile([this](const std::string& file) {
-    const auto now = host_.cases().current();
+    auto now = host_.cases().current();
     if (!now) return;
     const auto scanned = host_.scan().scanned();
     const Volume* labels = work_->painting() != nullptr ? &work_->painting()->labels() : scanned ? scanned->labels.get() : nullptr;
     const int label = freeLabel(*now, labels);
     if (label == 0) return say(tr("All 255 labels are taken; remove a structure first."));
-    const auto target = structureTarget(freeTargetName(*now, tr("Structure").toStdString()), label);
-    const std::size_t number = targetCount(*now);
-    const auto done =
-        host_.cases().edit(withTargetAdded(withField(*now, "volume.labels", file), target), tr("Add a structure").toStdString(), {});
+    const std::size_t number = now->targets.size();
+    now->targets.push_back(structureTarget(freeTargetName(*now, tr("Structure").toStdString()), label));
+    now->volume.labels = file;
+    const auto done = host_.cases().edit(*now, tr("Add a structure").toStdString(), {});
     say(done ? QString() : words(done.error().message));
     if (done) choose(number);
   });
 }
 
 void TargetsPanel::remove() {
-  const auto manifest = host_.cases().current();
-  if (!manifest) return;
-  const auto target = targetAt(*manifest, chosen_);
-  const int label = labelOf(target).value_or(0);
-  const auto edit = [this](const nlohmann::json& edited) {
+  const auto present = host_.cases().current();
+  const CaseTarget* chosen = present ? targetAt(*present, chosen_) : nullptr;
+  if (chosen == nullptr) return;
+  const int label = chosen->label.value_or(0);
+  const auto edit = [this](const Case& edited) {
     const auto done = host_.cases().edit(edited, tr("Remove the target").toStdString(), {});
     say(done ? QString() : words(done.error().message));
   };
-  const nlohmann::json without = withoutTarget(*manifest, chosen_);
+  const Case without = withoutTarget(*present, chosen_);
   if (label == 0 || isLabelled(without, label)) return edit(without);
   // Its voxels and its tissue go with it: what nobody can see or name any more must not throw a shadow.
-  work_->withoutLabel(label, [this, target, label, edit](const std::string& file) {
+  work_->withoutLabel(label, [this, target = *chosen, label, edit](const std::string& file) {
     const auto now = host_.cases().current();
-    for (std::size_t n = 0; now && n < targetCount(*now); ++n)
-      if (targetAt(*now, n) == target) return edit(withField(withTissue(withoutTarget(*now, n), label, {}, {}), "volume.labels", file));
+    for (std::size_t n = 0; now && n < now->targets.size(); ++n) {
+      if (!(now->targets[n] == target)) continue;
+      Case edited = withTissue(withoutTarget(*now, n), label, {}, {});
+      edited.volume.labels = file;
+      return edit(edited);
+    }
   });
 }
 
 void TargetsPanel::move(int by) {
-  const auto manifest = host_.cases().current();
+  const auto now = host_.cases().current();
   const std::size_t to = chosen_ + static_cast<std::size_t>(by);  // below 0 it is past the end
-  if (!manifest || to >= targetCount(*manifest)) return;
+  if (!now || to >= now->targets.size()) return;
   const std::size_t from = std::exchange(chosen_, to);
-  const auto done = host_.cases().edit(withTargetMoved(*manifest, from, to), tr("Move the target").toStdString(), "targets order");
+  const auto done = host_.cases().edit(withTargetMoved(*now, from, to), tr("Move the target").toStdString(), "targets order");
   if (!done) chosen_ = from;
   say(done ? QString() : words(done.error().message));
 }
@@ -291,7 +290,7 @@ void TargetsPanel::rename(const QString& name) {
   // A field without words is on its way to have some.
   if (name.trimmed().isEmpty()) return say(tr("A target needs a name."));
   change(tr("Rename the target"), "name",
-         [text = name.toStdString()](const nlohmann::json& manifest, std::size_t n) { return withTargetRenamed(manifest, n, text); });
+         [text = name.toStdString()](Case edited, std::size_t n) { return withTargetRenamed(std::move(edited), n, text); });
 }
 
 void TargetsPanel::choose(std::size_t number) {
@@ -304,24 +303,33 @@ void TargetsPanel::choose(std::size_t number) {
   showChosen();
 }
 
-QString TargetsPanel::lineOf(const nlohmann::json& target) const {
-  const std::string kind = kindOf(target);
-  const QString word = kind == "point" ? tr("point") : kind == "plane" ? tr("plane") : tr("structure");
-  return QStringLiteral("%1 · %2").arg(words(textOf(target, "name")), word);
+QString TargetsPanel::lineOf(const CaseTarget& target) const {
+  const auto word = [&] {
+    switch (target.kind) {
+      case CaseTarget::Kind::point:
+        return tr("point");
+      case CaseTarget::Kind::plane:
+        return tr("plane");
+      case CaseTarget::Kind::structure:
+        return tr("structure");
+    }
+    return QString();
+  };
+  return QStringLiteral("%1 · %2").arg(words(target.name), word());
 }
 
 void TargetsPanel::showCase() {
-  const auto manifest = host_.cases().current();
-  manifest_ = manifest ? *manifest : nlohmann::json();
-  pages_->setCurrentIndex(manifest ? 1 : 0);
-  const std::size_t count = targetCount(manifest_);
+  const auto now = host_.cases().current();
+  case_ = now.value_or(Case{});
+  pages_->setCurrentIndex(now ? 1 : 0);
+  const std::size_t count = case_.targets.size();
   chosen_ = count == 0 ? 0 : std::min(chosen_, count - 1);
   {
     const QSignalBlocker quiet(list_);
     while (list_->count() > static_cast<int>(count)) delete list_->takeItem(list_->count() - 1);
     for (std::size_t n = 0; n < count; ++n) {
       if (static_cast<int>(n) >= list_->count()) list_->addItem(QString());
-      list_->item(static_cast<int>(n))->setText(lineOf(targetAt(manifest_, n)));
+      list_->item(static_cast<int>(n))->setText(lineOf(case_.targets[n]));
     }
   }
   list_->setVisible(count > 0);
@@ -332,33 +340,33 @@ void TargetsPanel::showCase() {
 }
 
 void TargetsPanel::showChosen() {
-  const auto target = targetAt(manifest_, chosen_);
-  const std::size_t count = targetCount(manifest_);
-  editor_->setVisible(!target.is_null());
+  const CaseTarget* target = targetAt(case_, chosen_);
+  const std::size_t count = case_.targets.size();
+  editor_->setVisible(target != nullptr);
   for (QPushButton* each : {up_, down_, remove_}) each->setVisible(count > 0);
   up_->setEnabled(count > 1 && chosen_ > 0);
   down_->setEnabled(count > 1 && chosen_ + 1 < count);
   remove_->setEnabled(count > 0);
-  drawer_.setTargets(manifest_, chosen_);
-  if (target.is_null()) return work_->setLabel(0);
+  drawer_.setTargets(case_, chosen_);
+  if (target == nullptr) return work_->setLabel(0);
   {
     const QSignalBlocker quietList(list_), quietReveals(reveals_);
     list_->setCurrentRow(static_cast<int>(chosen_));
-    reveals_->setChecked(fieldOf(target, "reveals_finding") == true);
+    reveals_->setChecked(target->revealsFinding);
   }
-  const QString name = words(textOf(target, "name"));
+  const QString name = words(target->name);
   if (name_->text() != name && !(name_->hasFocus() && name_->text().trimmed().isEmpty())) name_->setText(name);
-  const std::size_t steps = stepsNaming(manifest_, textOf(target, "name"));
+  const std::size_t steps = stepsNaming(case_, target->name);
   lessons_->setText(tr("Steps of lessons that ask for it: %1. They follow when it is renamed.").arg(steps));
   lessons_->setVisible(steps > 0);
-  const std::string kind = kindOf(target);
-  point_->setVisible(kind == "point");
-  plane_->setVisible(kind == "plane");
-  structure_->setVisible(kind == "structure");
-  if (kind == "point") point_->setTarget(target);
-  if (kind == "plane") plane_->setTarget(manifest_, target);
-  if (kind == "structure")
-    structure_->setTarget(manifest_, target);
+  using Kind = CaseTarget::Kind;
+  point_->setVisible(target->kind == Kind::point);
+  plane_->setVisible(target->kind == Kind::plane);
+  structure_->setVisible(target->kind == Kind::structure);
+  if (target->kind == Kind::point) point_->setTarget(*target);
+  if (target->kind == Kind::plane) plane_->setTarget(case_, *target);
+  if (target->kind == Kind::structure)
+    structure_->setTarget(case_, *target);
   else
     work_->setLabel(0);
 }
@@ -369,7 +377,8 @@ void TargetsPanel::followWork() {
   unkept_->setVisible(!unkept.isEmpty());
   unkeptText_->setText(tr("What was painted in '%1' lies in this window alone.").arg(unkept));
   drawer_.setPainting(work_->painting());
-  if (kindOf(targetAt(manifest_, chosen_)) == "structure") structure_->followWork();
+  const CaseTarget* target = targetAt(case_, chosen_);
+  if (target != nullptr && target->kind == CaseTarget::Kind::structure) structure_->followWork();
   if (const auto image = host_.scan().state()) drawer_.see(*image);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <nlohmann/json.hpp>
 
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/host.h"
@@ -44,21 +43,20 @@ class TargetsPanel final : public QWidget {
   void addPoint();
   void addPlane();
   void addStructure();
-  void add(const QString& what, const nlohmann::json& target);
+  void add(const QString& what, const CaseTarget& target);
   void remove();
   void move(int by);
   void rename(const QString& name);
   void choose(std::size_t number);
-  void change(const QString& what, const std::string& part,
-              const std::function<nlohmann::json(nlohmann::json manifest, std::size_t number)>& edit);
+  void change(const QString& what, const std::string& part, const std::function<Case(Case edited, std::size_t number)>& edit);
   void showCase();
   void showChosen();
   void followWork();
   void say(const QString& sentence);
-  [[nodiscard]] QString lineOf(const nlohmann::json& target) const;
+  [[nodiscard]] QString lineOf(const CaseTarget& target) const;
 
   sdk::Host& host_;
-  nlohmann::json manifest_;
+  Case case_;  ///< that is shown; without one it is empty
   std::size_t chosen_ = 0;
   PaintWork* work_ = nullptr;
   TargetDrawer drawer_;

@@ -28,18 +28,11 @@ LessonDocument::LessonDocument(sdk::Host& host, QObject* parent) : QObject(paren
 }
 
 void LessonDocument::read() {
-  home_.reset();
   lessons_.clear();
   problem_.reset();
   if (!editing_) typedIn_.clear();
-  const auto manifest = host_.cases().current();
-  if (!manifest) return;
-  auto opened = caseFromManifest(*manifest, host_.cases().currentFolder());
-  if (!opened) {
-    problem_ = opened.error();
-    return;
-  }
-  home_ = std::move(*opened);
+  home_ = host_.cases().current();
+  if (!home_) return;
   auto lessons = lessonsOf(*home_);
   if (lessons)
     lessons_ = std::move(*lessons);

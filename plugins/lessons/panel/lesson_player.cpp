@@ -15,7 +15,6 @@
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/case_at_hand.h"
 #include "logic/wrong_settings.h"
 #include "panel/aids_drawer.h"
 #include "panel/outcome_page.h"
@@ -102,7 +101,7 @@ QWidget* LessonPlayer::makeWaiting() {
   return page;
 }
 
-std::optional<Case> LessonPlayer::openCase() const { return caseAtHand(host_); }
+std::optional<Case> LessonPlayer::openCase() const { return host_.cases().forPractice(); }
 
 void LessonPlayer::play(LessonRun run, const Case& home, CaseWords words, std::optional<StepAutosave::Left> left) {
   Q_EMIT problemGone();

@@ -15,7 +15,6 @@
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "logic/case_at_hand.h"
 #include "panel/exercise_card.h"
 #include "panel/exercise_player.h"
 #include "panel/lesson_list.h"
@@ -92,7 +91,7 @@ const Lesson* PlayerPanel::lessonOf(const std::string& id) const {
 void PlayerPanel::showCase() {
   const std::vector<Lesson> before = std::move(lessons_);
   const std::filesystem::path folderBefore = case_ ? case_->folder : std::filesystem::path();
-  case_ = caseAtHand(host_);
+  case_ = host_.cases().forPractice();
   lessons_.clear();
   if (case_) {
     auto lessons = lessonsOf(*case_);

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,12 +9,13 @@
 
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/library/case_values.h"
 
 namespace ew::stitching {
 
 /// A case as it is with another volume.
 struct CaseWithVolume {
-  nlohmann::json manifest;
+  Case edited;
   bool hadRecipe = false;        ///< its patient was a recipe; else its volume was a file
   bool hadLabels = false;        ///< the volume before had labels; they do not fit to the new one and are not taken over
   bool isMoved = false;          ///< the new volume lay elsewhere than the one before, and was moved to where that lay
@@ -34,9 +34,9 @@ struct VolumeForCase {
 };
 
 /// Attribution and licence stay, for they are somebody's word, and so do directions and place.
-/// @param manifest of a case that is valid
-/// @param check everything that is wrong with a manifest, with the "field" in its context (sdk::Cases::check)
-[[nodiscard]] CaseWithVolume caseWithVolume(nlohmann::json manifest, const VolumeForCase& next,
-                                            const std::function<std::vector<Error>(const nlohmann::json&)>& check);
+/// @param opened a case that is valid
+/// @param check everything that is wrong with a case, with the "field" in its context (sdk::Cases::check)
+[[nodiscard]] CaseWithVolume caseWithVolume(Case opened, const VolumeForCase& next,
+                                            const std::function<std::vector<Error>(const Case&)>& check);
 
 }  // namespace ew::stitching

@@ -153,22 +153,18 @@ void Mosaic::handToCase() {
 
 CaseWithVolume Mosaic::caseWith(const std::string& name) {
   auto& cases = host_.cases();
-  const nlohmann::json manifest = *cases.current();
+  const Case opened = *cases.current();
   VolumeForCase volume{"volumes/" + name + kEndings[0], "volumes/" + name + kEndings[3], {}};
-  const auto before = manifest.contains("volume") && manifest["volume"].is_object() && manifest["volume"].contains("file") &&
-                              manifest["volume"]["file"].is_string()
-                          ? manifest["volume"]["file"].get<std::string>()
-                          : std::string();
+  const std::string& before = opened.volume.file;
   if (!before.empty() && volume_)
     if (const auto seen = host_.volumes().inspect(cases.currentFolder() / before); seen && !seen->sweep)
       volume.grids = {seen->grid, volume_->grid};
-  return caseWithVolume(manifest, volume, [&cases](const nlohmann::json& each) { return cases.check(each); });
+  return caseWithVolume(opened, volume, [&cases](const Case& each) { return cases.check(each); });
 }
 
 QString Mosaic::titleOfCase() const {
-  const auto manifest = host_.cases().current();
-  return manifest && manifest->contains("title") && (*manifest)["title"].is_string() ? words((*manifest)["title"].get<std::string>())
-                                                                                     : QString();
+  const auto opened = host_.cases().current();
+  return opened ? words(opened->title) : QString();
 }
 
 void Mosaic::writeIntoCase(const fs::path& caseFolder, const std::string& name) {
@@ -193,7 +189,7 @@ void Mosaic::useInCase(const fs::path& caseFolder, const std::string& name) {
   }
   const CaseWithVolume next = caseWith(name);
   const bool wasSaved = !open.hasUnsavedChanges();
-  if (auto edited = open.edit(next.manifest, tr("use the stitched volume").toStdString(), {}); !edited) {
+  if (auto edited = open.edit(next.edited, tr("use the stitched volume").toStdString(), {}); !edited) {
     takeOutOfCase(caseFolder, name);
     return notices_.say(edited.error());
   }

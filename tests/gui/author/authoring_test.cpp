@@ -23,6 +23,7 @@
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
 #include "ew/library/case.h"
+#include "ew/library/case_start.h"
 #include "ew/library/folder_lease.h"
 #include "ew/library/new_case.h"
 #include "ew/library/placing.h"
@@ -95,21 +96,15 @@ class AuthoringTest : public WindowFixture {
   }
   /// Everything a case needs before it is published, but for what its volume and its start decide.
   void fill() {
-    json manifest = document().manifest();
-    manifest["title_for_trainees"] = "Upper abdomen, routine";
-    manifest["region"] = "upper abdomen";
-    manifest["indication"] = "To be looked at.";
-    manifest["findings"] = {"Nothing remarkable."};
-    manifest["diagnosis"] = "Healthy.";
-    manifest["difficulty"] = 1;
-    manifest["volume"]["attribution"] = "Made by a test.";
-    manifest["volume"]["licence"] = "CC0 1.0";
-    const auto& at = session().probeControl().pose().probeToWorld;
-    json pose = json::array();
-    for (int row = 0; row < 4; ++row)
-      for (int column = 0; column < 4; ++column) pose.push_back(at.matrix[column][row]);
-    manifest["start_pose"] = pose;
-    const auto edited = document().edit(manifest, "Fill in", {});
+    Case filled = withRights(*document().current(), {"Made by a test.", "CC0 1.0"});
+    filled.titleForTrainees = "Upper abdomen, routine";
+    filled.region = "upper abdomen";
+    filled.indication = "To be looked at.";
+    filled.findings = {"Nothing remarkable."};
+    filled.diagnosis = "Healthy.";
+    filled.difficulty = 1;
+    filled.startPose.emplace().probeToWorld = session().probeControl().pose().probeToWorld;
+    const auto edited = document().edit(filled, "Fill in", {});
     QVERIFY2(edited, edited ? "" : edited.error().sentence().c_str());
   }
   [[nodiscard]] QWidget* publishDialog() {
@@ -378,18 +373,18 @@ class AuthoringTest : public WindowFixture {
     for (int n = 0; n < presets->count(); ++n)
       if (presets->item(n)->data(Qt::UserRole).toString() == QLatin1String("bladder-convex-3.5"))
         presets->item(n)->setCheckState(Qt::Checked);
-    QVERIFY(document().manifest()["presets"] == json({"bladder-convex-3.5"}));
+    QVERIFY(presetsOf(*document().current()) == std::vector<std::string>{"bladder-convex-3.5"});
     QVERIFY(inPanel<QLabel>("presets_hint")->text().startsWith(QStringLiteral("At the start")));
     auto* marks = inPanel<QListWidget>("body_marks");
     marks->item(marks->count() - 1)->setCheckState(Qt::Checked);
-    QCOMPARE(document().manifest()["body_marks"].size(), std::size_t(1));
+    QCOMPARE(bodyMarksOf(*document().current()).size(), std::size_t(1));
     QVERIFY(document().save().has_value());
     QVERIFY(validateCase(document().current()->folder).empty());
     const Knobs before = session().console().knobs();
     QVERIFY(openCase(QString::fromStdString(document().current()->folder.string())));
     QVERIFY(waitForRest());
     QVERIFY(!(session().console().knobs() == before));
-    QCOMPARE(window_->bodyMark().offered().front()->id, document().manifest()["body_marks"][0].get<std::string>());
+    QCOMPARE(window_->bodyMark().offered().front()->id, bodyMarksOf(*document().current()).front());
   }
 
   void theListBeforePublishingLeadsToItsFieldsAndTheCaseIsPublishedExportedAndImported() {

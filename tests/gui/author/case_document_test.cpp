@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<void> editTitle(CaseDocument& document, const std::string& title) {
-  nlohmann::json manifest = document.manifest();
-  manifest["title"] = title;
-  return document.edit(manifest, "Change the title", {});
+  Case changed = *document.current();
+  changed.title = title;
+  return document.edit(changed, "Change the title", {});
 }
 
 bool openIn(CaseDocument& document, const fs::path& folder) {
@@ -192,7 +192,7 @@ class CaseDocumentTest : public QObject {
         ++offered;
         CaseDocument document;
         QVERIFY(openIn(document, folder()));
-        const auto restored = document.restore(each.manifest, "Take over", each.asRead);
+        const auto restored = document.restore(*caseFromManifest(each.manifest, each.caseFolder), "Take over", each.asRead);
         QVERIFY2(restored, restored ? "" : restored.error().sentence().c_str());
         document.close();
         KeptEdits::remove(each);

@@ -274,7 +274,7 @@ class PlacingTest : public WindowFixture {
     const QPoint pixel(pointing->width() / 2 + 20, pointing->height() / 2 - 10);
     QTest::mouseClick(pointing, Qt::LeftButton, Qt::NoModifier, pixel);
     QVERIFY(!pointing->isVisible());
-    const auto part = [this] { return document().manifest()["parts"]["placing"]["pairs"]; };
+    const auto part = [this] { return nlohmann::json(document().current()->otherFields)["parts"]["placing"]["pairs"]; };
     const auto file = part()[0]["file_mm"].get<std::vector<double>>();
     const glm::dvec2 at_mm = session().geometry().probePoint_mm(pixel.x(), pixel.y());
     const glm::dvec3 expected =
@@ -302,9 +302,9 @@ class PlacingTest : public WindowFixture {
                        {"file_mm", {at.x, at.y, at.z}},
                        {"world_mm", {there.x, there.y, there.z}}});
     }
-    auto manifest = document().manifest();
-    manifest["parts"]["placing"]["pairs"] = pairs;
-    QVERIFY(document().edit(manifest, "Places", {}));
+    Case changed = *document().current();
+    changed.otherFields["parts"]["placing"]["pairs"] = pairs;
+    QVERIFY(document().edit(changed, "Places", {}));
     const QString words = in<QLabel>("pairsFit").text();
     QVERIFY2(words.contains(QStringLiteral("gall bladder")) && words.contains(QStringLiteral("does not fit")), qPrintable(words));
     QVERIFY2(in<QLabel>("pair_2_residual").text().contains(QStringLiteral("⚠ 45.0 mm")), qPrintable(in<QLabel>("pair_2_residual").text()));

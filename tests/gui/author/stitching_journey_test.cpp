@@ -125,8 +125,7 @@ class StitchingJourneyTest : public StitchingFixture {
     click("handToCase");
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
-    const auto manifest = window_->document().manifest();
-    QCOMPARE(QString::fromStdString(manifest["volume"]["file"].get<std::string>()), QStringLiteral("volumes/stitched.mha"));
+    QCOMPARE(QString::fromStdString(window_->document().current()->volume.file), QStringLiteral("volumes/stitched.mha"));
     QVERIFY(QFileInfo::exists(folder + QStringLiteral("/volumes/stitched.mha")));
     QVERIFY(!window_->document().hasUnsavedChanges());
     for (const char* ending : {"-coverage.mha", "-source.mha", "-level.mha", "-provenance.json"})

@@ -246,7 +246,7 @@ class TargetsTest : public WindowFixture {
     lesson.steps = {step};
     Case taught = opened();
     taught.otherFields["parts"]["lessons"] = jsonOf(std::vector<Lesson>{lesson});
-    QVERIFY(window_->document().edit(manifestOf(taught), "Write a lesson", {}));
+    QVERIFY(window_->document().edit(taught, "Write a lesson", {}));
     QVERIFY(window_->document().save());
     QVERIFY(openCase(files_.writeCase(QStringLiteral("other"))));
     QVERIFY(openCase(folder_));

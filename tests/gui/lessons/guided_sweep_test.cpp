@@ -67,8 +67,8 @@ class GuidedSweepTest final : public testing::WindowFixture {
     find<QDoubleSpinBox>("guideDuration")->setValue(1.0);
   }
   [[nodiscard]] nlohmann::json section() const {
-    const nlohmann::json manifest = window_->document().manifest();
-    return manifest.contains("parts") ? manifest["parts"].value("guided_sweep", nlohmann::json()) : nlohmann::json();
+    const nlohmann::json others = window_->document().current()->otherFields;
+    return others.contains("parts") ? others["parts"].value("guided_sweep", nlohmann::json()) : nlohmann::json();
   }
   [[nodiscard]] static double apart_mm(const Pose& a, const Pose& b) {
     return glm::distance(glm::dvec3(a.probeToWorld.matrix[3]), glm::dvec3(b.probeToWorld.matrix[3]));
@@ -164,8 +164,8 @@ class GuidedSweepTest final : public testing::WindowFixture {
     window_.reset();
     openWindow();
     QVERIFY(find<QPushButton>("workspaceGuide") == nullptr);
-    nlohmann::json edited = window_->document().manifest();
-    edited["title"] = "Edited without the plugin";
+    Case edited = *window_->document().current();
+    edited.title = "Edited without the plugin";
     QVERIFY(window_->document().edit(edited, "Title", "").has_value());
     QVERIFY(window_->document().save().has_value());
     window_.reset();

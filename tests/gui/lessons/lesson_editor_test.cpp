@@ -328,9 +328,9 @@ class LessonEditorTest : public WindowFixture {
     type("stepText", QStringLiteral("Show the liver lengthwise."));
     choose("stepTarget", QStringLiteral("liver lengthwise"));
     QVERIFY(text("stepMissingParts").isEmpty());
-    auto manifest = window_->document().manifest();
-    manifest["targets"] = nlohmann::json::array();
-    QVERIFY(window_->document().edit(manifest, "Remove the targets", ""));
+    Case changed = *window_->document().current();
+    changed.targets.clear();
+    QVERIFY(window_->document().edit(changed, "Remove the targets", ""));
     QVERIFY(text("stepMissingParts").contains(QStringLiteral("liver lengthwise")));
     QVERIFY(seen<QComboBox>(QStringLiteral("stepTarget"))->currentText().contains(QStringLiteral("not there any more")));
     keepScreenshot(*window_, "lesson-editor-15-target-gone");

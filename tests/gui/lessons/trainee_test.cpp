@@ -367,9 +367,9 @@ class TraineeTest : public WindowFixture {
   }
 
   void unsavedChangesStandBesideThePatientAndNotInPlaceOfTheName() {
-    nlohmann::json manifest = window_->document().manifest();
-    manifest["history"] = "Changed.";
-    QVERIFY(window_->document().edit(manifest, "Change the history", "history").has_value());
+    Case changed = *window_->document().current();
+    changed.history = "Changed.";
+    QVERIFY(window_->document().edit(changed, "Change the history", "history").has_value());
     const QString remark = find<QLabel>("titleRemark")->text();
     QVERIFY2(remark.contains(QLatin1String("Test Person")) && remark.contains(QLatin1String("unsaved")), qPrintable(remark));
     window_->document().history().undo();

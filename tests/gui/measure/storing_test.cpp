@@ -64,7 +64,7 @@ class StoringTest : public WindowFixture {
     const QString folder = files_.writeCase(QStringLiteral("second"));
     auto manifest = nlohmann::json::parse(test::textOf((folder + QStringLiteral("/case.json")).toStdString()));
     manifest["id"] = "second";
-    manifest["title"] = "Second";
+    changed.title = "Second";
     test::writeText((folder + QStringLiteral("/case.json")).toStdString(), manifest.dump());
     return folder;
   }
@@ -240,9 +240,9 @@ class StoringTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return window_->stored().atRiskCount() == 1; }));
     {
       Answers stay({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Cancel)}});
-      auto manifest = window_->document().manifest();
-      manifest["volume"]["file"] = "second.mha";
-      QVERIFY(window_->document().edit(manifest, "Change the volume", {}).has_value());
+      Case changed = *window_->document().current();
+      changed.volume.file = "second.mha";
+      QVERIFY(window_->document().edit(changed, "Change the volume", {}).has_value());
       QCoreApplication::processEvents();
       QVERIFY(waitUntil([&] { return window_->isSettled(); }));
       QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
@@ -323,9 +323,9 @@ class StoringTest : public WindowFixture {
     QVERIFY(!sheet.isEmpty());
     Answers answers({});
     const auto give = [&](const char* mannequin) {
-      auto manifest = window_->document().manifest();
-      manifest["mannequin"] = mannequin;
-      QVERIFY(window_->document().edit(manifest, "Change the body", {}).has_value());
+      Case changed = *window_->document().current();
+      changed.mannequin = mannequin;
+      QVERIFY(window_->document().edit(changed, "Change the body", {}).has_value());
       QVERIFY(waitUntil([&] { return window_->isSettled(); }, 4.0 * test::kPatience_ms));
     };
     give("gravid.json");
@@ -353,9 +353,9 @@ class StoringTest : public WindowFixture {
     };
     {
       Answers stay({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Cancel)}});
-      auto manifest = window_->document().manifest();
-      manifest["volume"]["file"] = "second.mha";
-      QVERIFY(window_->document().edit(manifest, "Change the volume", {}).has_value());
+      Case changed = *window_->document().current();
+      changed.volume.file = "second.mha";
+      QVERIFY(window_->document().edit(changed, "Change the volume", {}).has_value());
       settles();
       QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
       QVERIFY(session().subject()->voxels.volume() == shown);
@@ -384,9 +384,9 @@ class StoringTest : public WindowFixture {
     storeImage();
     const auto shown = session().subject()->voxels.volume();
     Answers nobody({});
-    auto manifest = window_->document().manifest();
-    manifest["volume"]["file"] = "second.mha";
-    QVERIFY(window_->document().edit(manifest, "Change the volume", {}).has_value());
+    Case changed = *window_->document().current();
+    changed.volume.file = "second.mha";
+    QVERIFY(window_->document().edit(changed, "Change the volume", {}).has_value());
     QVERIFY(waitUntil([&] { return window_->isSettled() && session().subject()->voxels.volume() != shown; }));
     QVERIFY(waitUntil([&] { return in<QListWidget>(dialog(), "storedImages")->count() == 1; }));
     QVERIFY2(nobody.asked.isEmpty(), "the library has it: nothing is lost");

@@ -97,9 +97,9 @@ class UsabilityFixture : public WindowFixture {
     for (const char* panel : {"panel_case_authoring", "panel_stitching", "panel_lessons"}) QVERIFY2(find<QWidget>(panel) != nullptr, panel);
     window_->resize(size);
     window_->setWorkspace(Workspace::explore);
-    nlohmann::json manifest = window_->document().manifest();
-    manifest["history"] = "Pain.";
-    QVERIFY(window_->document().edit(manifest, "Edit the history of the patient and all that belongs to it", "history").has_value());
+    Case changed = *window_->document().current();
+    changed.history = "Pain.";
+    QVERIFY(window_->document().edit(changed, "Edit the history of the patient and all that belongs to it", "history").has_value());
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));
     QTest::qWait(50);
   }

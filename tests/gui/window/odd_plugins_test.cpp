@@ -159,8 +159,8 @@ class OddPluginsTest final : public testing::WindowFixture {
   void whatAHandlerOfTheWindowThrowsIsASentenceAndUnsavedWorkStays() {
     openWindowWithCase();
     dismissAll();
-    nlohmann::json changed = window_->document().manifest();
-    changed["title"] = "Edited";
+    Case changed = *window_->document().current();
+    changed.title = "Edited";
     QVERIFY(window_->document().edit(changed, "Title", "").has_value());
     dismissAll();
     QTimer::singleShot(0, window_.get(), [] { throw std::runtime_error("out of cheese"); });
@@ -170,7 +170,7 @@ class OddPluginsTest final : public testing::WindowFixture {
     QTimer::singleShot(0, window_.get(), [] { throw 42; });
     QVERIFY(testing::waitUntil([this] { return window_->messages().count() > 0; }));
     QVERIFY(window_->document().hasUnsavedChanges());
-    QCOMPARE(window_->document().manifest()["title"].get<std::string>(), std::string("Edited"));
+    QCOMPARE(window_->document().current()->title, std::string("Edited"));
     QVERIFY(window_->document().save().has_value());
   }
 

@@ -51,9 +51,9 @@ class UnsavedTest : public WindowFixture {
     return folder;
   }
   void editTitle(const std::string& title) {
-    json manifest = document().manifest();
-    manifest["title"] = title;
-    QVERIFY(document().edit(manifest, "Change the title", "title").has_value());
+    Case changed = *document().current();
+    changed.title = title;
+    QVERIFY(document().edit(changed, "Change the title", "title").has_value());
   }
   [[nodiscard]] CaseDocument& document() const { return window_->document(); }
   [[nodiscard]] QString openTitle() const { return document().current() ? QString::fromStdString(document().current()->title) : QString(); }
@@ -444,10 +444,10 @@ class UnsavedTest : public WindowFixture {
     other.echo.assign(other.grid.voxelCount(), 77);
     QVERIFY(writeVolume(other, folder_.toStdString() + "/other.mha").has_value());
     const auto before = session().subject()->voxels.volume();
-    json manifest = document().manifest();
-    manifest["volume"]["file"] = "other.mha";
-    manifest["volume"]["file_to_world"][3] = 9.0;
-    QVERIFY(document().edit(manifest, "Take over a volume", "").has_value());
+    Case changed = *document().current();
+    changed.volume.file = "other.mha";
+    changed.volume.fileToWorld.matrix[3][0] = 9.0;
+    QVERIFY(document().edit(changed, "Take over a volume", "").has_value());
     editTitle("moved on");  // meanwhile
     QVERIFY(
         waitUntil([&] { return session().subject() && session().subject()->voxels.volume()->grid.dims == other.grid.dims; }, kPatience_ms));
@@ -456,9 +456,9 @@ class UnsavedTest : public WindowFixture {
     QCOMPARE(session().subject()->placedGrid.origin_mm.x, -31.0);
     QVERIFY(shows(QStringLiteral("moved on")));
     QVERIFY(session().subject()->scene.gainAndDgc);
-    manifest = document().manifest();
-    manifest["volume"]["file_to_world"][3] = 4.0;
-    QVERIFY(document().edit(manifest, "Move the volume", "x").has_value());
+    changed = *document().current();
+    changed.volume.fileToWorld.matrix[3][0] = 4.0;
+    QVERIFY(document().edit(changed, "Move the volume", "x").has_value());
     QCOMPARE(session().subject()->placedGrid.origin_mm.x, -36.0);
     while (document().history().canUndo()) document().history().undo();
     QVERIFY(waitUntil([&] { return session().subject() && session().subject()->voxels.volume()->echo == before->echo; }, kPatience_ms));

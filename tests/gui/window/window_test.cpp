@@ -180,9 +180,9 @@ class WindowTest : public WindowFixture {
 
   void aMovedVolumeIsSavedWhereTheAnswerSays() {
     CaseDocument& document = window_->document();
-    nlohmann::json manifest = document.manifest();
-    manifest["volume"]["file_to_world"][3] = 7.0;
-    QVERIFY(document.edit(manifest, "Move the volume", "place").has_value());
+    Case changed = *document.current();
+    changed.volume.fileToWorld.matrix[3][0] = 7.0;
+    QVERIFY(document.edit(changed, "Move the volume", "place").has_value());
     QTest::qWait(20);
     const glm::dvec3 own_mm = session().subject()->voxels.volume()->grid.origin_mm;
     for (const bool inBody : {false, true}) {
@@ -266,17 +266,17 @@ class WindowTest : public WindowFixture {
     CaseDocument& document = window_->document();
     const std::vector<std::uint8_t> before = pixelsOf(session());
     for (const double x_mm : {1.0, 2.0, 6.0}) {
-      nlohmann::json manifest = document.manifest();
-      manifest["volume"]["file_to_world"][3] = x_mm;
-      const auto edited = document.edit(manifest, "Move the volume", "place");
+      Case changed = *document.current();
+      changed.volume.fileToWorld.matrix[3][0] = x_mm;
+      const auto edited = document.edit(changed, "Move the volume", "place");
       QVERIFY2(edited, edited ? "" : edited.error().sentence().c_str());
     }
     QCOMPARE(document.history().count(), 1);
     QVERIFY(waitUntil([&] { return pixelsOf(session()) != before; }));
     document.history().undo();
     QVERIFY(waitUntil([&] { return pixelsOf(session()) == before; }));
-    nlohmann::json mirrored = document.manifest();
-    mirrored["volume"]["file_to_world"][0] = -1.0;
+    Case mirrored = *document.current();
+    mirrored.volume.fileToWorld.matrix[0][0] = -1.0;
     QVERIFY(!document.edit(mirrored, "Mirror", ""));
     QVERIFY(!document.hasUnsavedChanges());
   }

@@ -17,6 +17,14 @@ std::vector<std::string> idsIn(const Case& opened, const char* field) {
   return ids;
 }
 
+Case withIds(Case edited, const char* field, const std::vector<std::string>& ids) {
+  if (ids.empty())
+    edited.otherFields.erase(field);
+  else
+    edited.otherFields[field] = ids;
+  return edited;
+}
+
 }  // namespace
 
 std::vector<std::string> presetsOf(const Case& opened) { return idsIn(opened, kPresets); }
@@ -33,12 +41,7 @@ std::vector<std::string> shippedPresetsOf(const Case& opened) {
 
 std::vector<std::string> bodyMarksOf(const Case& opened) { return idsIn(opened, kBodyMarks); }
 
-Case withPresets(Case edited, const std::vector<std::string>& ids) {
-  if (ids.empty())
-    edited.otherFields.erase(kPresets);
-  else
-    edited.otherFields[kPresets] = ids;
-  return edited;
-}
+Case withPresets(Case edited, const std::vector<std::string>& ids) { return withIds(std::move(edited), kPresets, ids); }
+Case withBodyMarks(Case edited, const std::vector<std::string>& ids) { return withIds(std::move(edited), kBodyMarks, ids); }
 
 }  // namespace ew

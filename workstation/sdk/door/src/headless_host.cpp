@@ -23,15 +23,11 @@ auto noCaseIsOpen() { return failure(ErrorCode::notFound, say<"No case is open; 
 class NoOpenCase final : public sdk::Cases {
  public:
   explicit NoOpenCase(const PartSchemas& parts) : parts_(parts) {}
-  std::optional<nlohmann::json> current() const override { return std::nullopt; }
+  std::optional<Case> current() const override { return std::nullopt; }
   std::filesystem::path currentFolder() const override { return {}; }
-  std::vector<Error> check(const nlohmann::json& manifest) const override {
-    auto problems = checkManifest(manifest, {});
-    auto more = parts_.problems(manifest);
-    std::move(more.begin(), more.end(), std::back_inserter(problems));
-    return problems;
-  }
-  Result<void> edit(const nlohmann::json&, const std::string&, const std::string&) override { return noCaseIsOpen(); }
+  Result<Case> read(const std::filesystem::path& folderOrManifest) const override { return loadCase(folderOrManifest); }
+  std::vector<Error> check(const Case& edited) const override { return parts_.problemsIn(edited, {}); }
+  Result<void> edit(const Case&, const std::string&, const std::string&) override { return noCaseIsOpen(); }
   Result<void> save(const std::filesystem::path&) override { return noCaseIsOpen(); }
   bool hasUnsavedChanges() const override { return false; }
   Ticket onChanged(std::function<void()>) override { return nullptr; }

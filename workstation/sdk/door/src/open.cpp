@@ -76,7 +76,7 @@ Result<Library> loaded(const PluginManifest& manifest) {
 
 /// A plugin that was asked to start, with its view of the host. Its library is never unloaded.
 struct PluginList::Open {
-  Open(sdk::Host& inner, const std::string& title, PluginCalls::Tell tell) : host(inner, title, std::move(tell)) {}
+  Open(sdk::Host& inner, const PluginManifest& manifest, PluginCalls::Tell tell) : host(inner, manifest, std::move(tell)) {}
   ~Open() {
     host.calls().withdraw();
     if (plugin == nullptr) return;
@@ -133,7 +133,7 @@ void PluginList::openAll(sdk::Host& host, const Tell& tell) {
     } else if (status.state == PluginState::found) {
       if (const auto library = loaded(*status.manifest)) {
         // The address stays: the list of states neither grows nor shrinks, and moving it moves none of them.
-        open_.push_back(std::make_unique<Open>(host, status.title(), [&host, &status, tell](const PluginFault& fault) {
+        open_.push_back(std::make_unique<Open>(host, *status.manifest, [&host, &status, tell](const PluginFault& fault) {
           status.message = messageOf(fault);
           host.log().error(status.sentence());
           if (tell) tell(fault);

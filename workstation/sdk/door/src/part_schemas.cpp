@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "ew/door/host_parts.h"
+#include "ew/library/case.h"
 
 namespace ew::door {
 namespace {
@@ -47,20 +48,29 @@ std::vector<Error> PartSchemas::problems(const std::string& name, const nlohmann
   return schema->second.problems(section, std::string(kParts) + "." + name, verbatim("case.json"));
 }
 
+std::vector<Error> PartSchemas::problemsIn(Case edited, const std::filesystem::path& folder) const {
+  edited.folder = folder;
+  auto all = checkCase(edited);
+  auto found = problems(edited.otherFields);
+  std::move(found.begin(), found.end(), std::back_inserter(all));
+  return all;
+}
+
 std::optional<nlohmann::json> partOf(const nlohmann::json& manifest, const std::string& name) {
   if (!manifest.is_object() || !manifest.contains(kParts) || !manifest[kParts].is_object() || !manifest[kParts].contains(name))
     return std::nullopt;
   return manifest[kParts][name];
 }
 
-nlohmann::json withPart(nlohmann::json manifest, const std::string& name, const std::optional<nlohmann::json>& section) {
+Case withPart(Case edited, const std::string& name, const std::optional<nlohmann::json>& section) {
+  nlohmann::json& others = edited.otherFields;
   if (section) {
-    manifest[kParts][name] = *section;
-  } else if (partOf(manifest, name)) {
-    manifest[kParts].erase(name);
-    if (manifest[kParts].empty()) manifest.erase(kParts);
+    others[kParts][name] = *section;
+  } else if (partOf(others, name)) {
+    others[kParts].erase(name);
+    if (others[kParts].empty()) others.erase(kParts);
   }
-  return manifest;
+  return edited;
 }
 
 }  // namespace ew::door

@@ -85,13 +85,16 @@ class GuardedDocument final : public sdk::PanelDocument {
 
 class PluginCases final : public sdk::Cases {
  public:
-  PluginCases(Calls calls, sdk::Cases& inner) : calls_(std::move(calls)), inner_(inner) {}
-  [[nodiscard]] std::optional<nlohmann::json> current() const override { return inner_.current(); }
+  PluginCases(Calls calls, sdk::Cases& inner, bool isForPractice)
+      : calls_(std::move(calls)), inner_(inner), isForPractice_(isForPractice) {}
+  [[nodiscard]] std::optional<Case> current() const override { return inner_.current(); }
+  [[nodiscard]] std::optional<Case> forPractice() const override { return isForPractice_ ? inner_.forPractice() : inner_.current(); }
   [[nodiscard]] std::filesystem::path currentFolder() const override { return inner_.currentFolder(); }
   [[nodiscard]] bool isLocked() const override { return inner_.isLocked(); }
-  [[nodiscard]] std::vector<Error> check(const nlohmann::json& manifest) const override { return inner_.check(manifest); }
-  Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) override {
-    return inner_.edit(manifest, what, mergeKey);
+  [[nodiscard]] Result<Case> read(const std::filesystem::path& folderOrManifest) const override { return inner_.read(folderOrManifest); }
+  [[nodiscard]] std::vector<Error> check(const Case& edited) const override { return inner_.check(edited); }
+  Result<void> edit(const Case& edited, const std::string& what, const std::string& mergeKey) override {
+    return inner_.edit(edited, what, mergeKey);
   }
   Result<void> save(const std::filesystem::path& folder) override { return inner_.save(folder); }
   Result<void> saveCopy() override { return inner_.saveCopy(); }
@@ -108,6 +111,7 @@ class PluginCases final : public sdk::Cases {
  private:
   Calls calls_;
   sdk::Cases& inner_;
+  bool isForPractice_;
 };
 
 /// What a job of the plugin asks while it works: a plugin that is withdrawn has to stop.
@@ -451,11 +455,15 @@ class PluginWindow final : public sdk::Window {
   sdk::Window& inner_;
 };
 
+bool isForPractice(const PluginManifest& plugin) {
+  return std::find(plugin.capabilities.begin(), plugin.capabilities.end(), "practice") != plugin.capabilities.end();
+}
+
 }  // namespace
 
 struct PluginHost::Parts {
-  Parts(const Calls& calls, sdk::Host& inner)
-      : cases(calls, inner.cases()),
+  Parts(const Calls& calls, sdk::Host& inner, bool isForPractice)
+      : cases(calls, inner.cases(), isForPractice),
         jobs(calls, inner.jobs()),
         panels(calls, inner.panels()),
         commands(calls, inner.commands()),
@@ -475,10 +483,10 @@ struct PluginHost::Parts {
   PluginWindow window;
 };
 
-PluginHost::PluginHost(sdk::Host& inner, std::string plugin, PluginCalls::Tell tell)
-    : calls_(std::make_shared<PluginCalls>(std::move(plugin), std::move(tell))),
+PluginHost::PluginHost(sdk::Host& inner, const PluginManifest& plugin, PluginCalls::Tell tell)
+    : calls_(std::make_shared<PluginCalls>(plugin.title, std::move(tell))),
       inner_(inner),
-      parts_(std::make_unique<Parts>(calls_, inner)) {}
+      parts_(std::make_unique<Parts>(calls_, inner, isForPractice(plugin))) {}
 PluginHost::~PluginHost() = default;
 
 sdk::Volumes& PluginHost::volumes() { return inner_.volumes(); }

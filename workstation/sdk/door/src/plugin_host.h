@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ew/door/door.h"
 #include "ew/sdk/host.h"
 #include "plugin_calls.h"
 
@@ -14,7 +15,7 @@ namespace ew::door {
 class PluginHost final : public sdk::Host {
  public:
   /// @param inner the program's host; must outlive this
-  PluginHost(sdk::Host& inner, std::string plugin, PluginCalls::Tell tell);
+  PluginHost(sdk::Host& inner, const PluginManifest& plugin, PluginCalls::Tell tell);
   ~PluginHost() override;
 
   sdk::Volumes& volumes() override;

@@ -96,24 +96,21 @@ void CaseDocument::close() {
   if (wasOpen) Q_EMIT closed();
 }
 
-Result<void> CaseDocument::restore(const nlohmann::json& manifest, const std::string& what, const Fingerprint& asRead) {
-  auto done = edit(manifest, what, {});
+Result<void> CaseDocument::restore(Case left, const std::string& what, const Fingerprint& asRead) {
+  auto done = edit(std::move(left), what, {});
   if (done) asRead_ = asRead;
   return done;
 }
 
-nlohmann::json CaseDocument::manifest() const { return current_ ? manifestOf(*current_) : nlohmann::json(); }
-
-Result<void> CaseDocument::edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) {
+Result<void> CaseDocument::edit(Case next, const std::string& what, const std::string& mergeKey) {
   if (!current_) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
-  auto next = caseFromManifest(manifest, current_->folder);
-  if (!next) return passOn(next.error());
-  next->folder = current_->folder;
-  if (*next == *current_) return {};
+  next.folder = current_->folder;
+  if (next == *current_) return {};
+  if (auto problems = checkCase(next); !problems.empty()) return passOn(std::move(problems.front()));
   // What was edited before the folder was lost may be finished, to be saved elsewhere.
   if (!lost_)
     if (auto reserved = reserve(); !reserved) return reserved;
-  history_.push(new ReplaceCase(*this, *current_, std::move(*next), words(what), mergeKey));
+  history_.push(new ReplaceCase(*this, *current_, std::move(next), words(what), mergeKey));
   return {};
 }
 

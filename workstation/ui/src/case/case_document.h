@@ -5,7 +5,6 @@
 #include <QUndoStack>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "ew/library/case.h"
@@ -36,15 +35,15 @@ class CaseDocument final : public QObject {
   /// Takes over edits that a crash has interrupted, as one step of the open case.
   /// @param asRead of the case.json that they began with: saving asks when it is another now
   /// @error as edit
-  [[nodiscard]] Result<void> restore(const nlohmann::json& manifest, const std::string& what, const Fingerprint& asRead);
+  [[nodiscard]] Result<void> restore(Case left, const std::string& what, const Fingerprint& asRead);
   [[nodiscard]] const std::optional<Fingerprint>& asRead() const { return asRead_; }
   [[nodiscard]] const std::optional<Case>& current() const { return current_; }
-  [[nodiscard]] nlohmann::json manifest() const;  ///< of the open case; null when none is open
 
-  /// Replaces the manifest as one step named `what`; steps with the same non-empty mergeKey in a row become one.
-  /// @error badUsage (no case is open), notWritable (somebody else is editing it: who and since when), and what the case's schema refuses;
-  /// then nothing changed
-  [[nodiscard]] Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey);
+  /// Puts `next` in place of the open case as one step named `what`; steps with the same non-empty mergeKey in a row become one. The case
+  /// stays in its folder.
+  /// @error badUsage (no case is open), notWritable (somebody else is editing it: who and since when), and what checkCase refuses; then
+  /// nothing changed
+  [[nodiscard]] Result<void> edit(Case next, const std::string& what, const std::string& mergeKey);
   /// @param folder empty: where the case was opened. Another folder gives the case an id of its own, so that a library can hold both
   /// @error badUsage (no case is open), notWritable (see CaseOverwrite; also when the folder is somebody else's by now), as saveCase; then
   /// the case stays unsaved

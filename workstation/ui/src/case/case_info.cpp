@@ -130,17 +130,16 @@ int CaseInfo::wantedHeight_px() const {
 void CaseInfo::showCase(const Case* shown) {
   if (shown == nullptr) {
     case_.clear();
-    contents_.clear();
+    contents_.reset();
     hide();
     return;
   }
-  const std::string contents = manifestOf(*shown).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   const std::string place = shown->folder.string();  // copies of a case have the same id
   const bool isAnother = place != case_ || isHidden();
-  if (!isAnother && contents == contents_) return;
+  if (!isAnother && contents_ == *shown) return;
   if (place != case_) showsFindings_ = false;
   case_ = place;
-  contents_ = contents;
+  contents_ = *shown;
   words_ = ew::wordsOf(shown->folder, QLocale().name().toStdString());
   fill(translated(*shown, words_));
   show();

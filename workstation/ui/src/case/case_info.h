@@ -2,9 +2,11 @@
 
 #include <QWidget>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
+#include "ew/library/case_values.h"
 #include "ew/library/case_words.h"
 
 class QLabel;
@@ -54,7 +56,7 @@ class CaseInfo final : public QWidget {
   QVBoxLayout* rows_ = nullptr;
   QPushButton* findingsButton_ = nullptr;
   std::string case_;                                     ///< folder of what is shown
-  std::string contents_;                                 ///< of what is shown, so that an unrelated edit keeps ticks and findings
+  std::optional<Case> contents_;                         ///< of what is shown, so that an unrelated edit keeps ticks and findings
   std::map<std::string, std::set<std::string>> ticked_;  ///< names by the case's folder, as long as the window lives
   bool isOpen_ = true;
   bool showsFindings_ = false;

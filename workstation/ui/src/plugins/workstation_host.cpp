@@ -146,24 +146,25 @@ class HostCases final : public sdk::Cases {
  public:
   HostCases(CaseDocument& document, const door::PartSchemas& parts) : document_(document), parts_(parts) {}
 
-  [[nodiscard]] std::optional<nlohmann::json> current() const override {
-    if (!document_.current()) return std::nullopt;
-    return isLocked() ? manifestOf(shownCase(*document_.current(), *access)) : document_.manifest();
+  [[nodiscard]] std::optional<Case> current() const override {
+    if (!document_.current() || !isLocked()) return document_.current();
+    return shownCase(*document_.current(), *access);
   }
+  [[nodiscard]] std::optional<Case> forPractice() const override { return document_.current(); }
   [[nodiscard]] std::filesystem::path currentFolder() const override {
     return document_.current() ? document_.current()->folder : std::filesystem::path();
   }
-  [[nodiscard]] std::vector<Error> check(const nlohmann::json& manifest) const override {
-    auto problems = checkManifest(manifest, currentFolder());
-    auto more = parts_.problems(manifest);
-    std::move(more.begin(), more.end(), std::back_inserter(problems));
-    return problems;
+  [[nodiscard]] Result<Case> read(const std::filesystem::path& folderOrManifest) const override {
+    if (access != nullptr)
+      if (auto allowed = access->require(Permission::seeAnswers); !allowed) return passOn(allowed.error());
+    return loadCase(folderOrManifest);
   }
+  [[nodiscard]] std::vector<Error> check(const Case& edited) const override { return parts_.problemsIn(edited, currentFolder()); }
   [[nodiscard]] bool isLocked() const override { return access != nullptr && access->isLocked(); }
-  Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) override {
+  Result<void> edit(const Case& edited, const std::string& what, const std::string& mergeKey) override {
     if (access != nullptr)
       if (auto allowed = access->require(Permission::editCases); !allowed) return allowed;
-    return document_.edit(manifest, what, mergeKey);
+    return document_.edit(edited, what, mergeKey);
   }
   Result<void> save(const std::filesystem::path& folder) override { return saving.save ? saving.save(folder) : document_.save(folder); }
   Result<void> saveCopy() override { return saving.saveCopy ? saving.saveCopy() : sdk::Cases::saveCopy(); }
@@ -197,8 +198,8 @@ class HostCaseParts final : public sdk::CaseParts {
 
   [[nodiscard]] Result<sdk::Ticket> add(const std::string& name, const std::string& schema) override { return schemas_.add(name, schema); }
   [[nodiscard]] std::optional<nlohmann::json> read(const std::string& name) const override {
-    if (access != nullptr && access->isLocked() && !(document_.current() && document_.current()->sealed)) return std::nullopt;
-    return door::partOf(document_.manifest(), name);
+    if (!document_.current() || (access != nullptr && access->isLocked() && !document_.current()->sealed)) return std::nullopt;
+    return door::partOf(document_.current()->otherFields, name);
   }
   Result<void> edit(const std::string& name, const std::optional<nlohmann::json>& section, const std::string& what,
                     const std::string& mergeKey) override {
@@ -208,7 +209,7 @@ class HostCaseParts final : public sdk::CaseParts {
     if (!schemas_.knows(name)) return failure(ErrorCode::badUsage, say<"The section '%1' of a case has no schema; add it first.">(name));
     if (section)
       if (auto problems = schemas_.problems(name, *section); !problems.empty()) return passOn(std::move(problems.front()));
-    return document_.edit(door::withPart(document_.manifest(), name, section), what, mergeKey);
+    return document_.edit(door::withPart(*document_.current(), name, section), what, mergeKey);
   }
   [[nodiscard]] std::filesystem::path folderOf(const std::string& name) const override {
     return document_.current() ? document_.current()->folder / "parts" / name : std::filesystem::path();

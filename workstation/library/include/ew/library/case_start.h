@@ -17,5 +17,6 @@ namespace ew {
 /// Ids of the body marks that are offered first ("body_marks"). Empty: those of the region.
 [[nodiscard]] std::vector<std::string> bodyMarksOf(const Case& opened);
 [[nodiscard]] Case withPresets(Case edited, const std::vector<std::string>& ids);
+[[nodiscard]] Case withBodyMarks(Case edited, const std::vector<std::string>& ids);
 
 }  // namespace ew

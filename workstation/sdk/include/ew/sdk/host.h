@@ -5,7 +5,6 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +16,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/library/case_values.h"
 #include "ew/sdk/ticket.h"
 
 class QWidget;  // only named here; a plugin without a panel never includes Qt
@@ -122,20 +122,29 @@ class Files {
   [[nodiscard]] virtual Result<void> writeText(const std::filesystem::path& file, const std::string& text) = 0;
 };
 
-/// The case that is open, as the JSON of its manifest. The schema is the host's: a plugin sees values, the host checks them.
+/// The case that is open, as a value. What a case may be is the host's to say: a plugin changes values, the host checks them. A plugin's
+/// own section of a case is JSON: see CaseParts.
 class Cases {
  public:
   virtual ~Cases();
-  /// Manifest of the open case; empty when none is open. While an instructor has locked the library for trainees (isLocked) it is what
-  /// trainees may read: no finding, no target, no section of any plugin; then nothing can be edited or saved either.
-  [[nodiscard]] virtual std::optional<nlohmann::json> current() const = 0;
+  /// The open case with its edits and its folder; empty when none is open. While an instructor has locked the library for trainees
+  /// (isLocked) it is what trainees may read: no finding, no target, no section of any plugin; then nothing can be edited or saved either.
+  [[nodiscard]] virtual std::optional<Case> current() const = 0;
+  /// The same for practising it: with everything that a lesson is judged by, also while the library is locked. For a plugin whose manifest
+  /// names the capability "practice", which an instructor can read there; others are given what current() gives.
+  [[nodiscard]] virtual std::optional<Case> forPractice() const;
   [[nodiscard]] virtual std::filesystem::path currentFolder() const = 0;
   [[nodiscard]] virtual bool isLocked() const { return false; }
-  /// Everything that is wrong with a manifest, one sentence each; `context` names the "field" ("patient.age_years"). Empty: it is valid.
-  [[nodiscard]] virtual std::vector<Error> check(const nlohmann::json& manifest) const = 0;
-  /// Replaces the manifest as one undoable step named `what`; checked against the schema first. Steps with the same non-empty mergeKey
-  /// in a row become one.
-  [[nodiscard]] virtual Result<void> edit(const nlohmann::json& manifest, const std::string& what, const std::string& mergeKey) = 0;
+  /// Reads a case that need not be open, on the thread of whoever calls.
+  /// @param folderOrManifest its folder, or its case.json
+  /// @error notFound, badHeader, badField, newerFormat, notRigid; badUsage while the library is locked for trainees
+  [[nodiscard]] virtual Result<Case> read(const std::filesystem::path& folderOrManifest) const = 0;
+  /// Everything that is wrong with a case, one sentence each; `context` names the "field" of case.json ("patient.age_years"). Empty: it is
+  /// valid. Its files are looked for in currentFolder().
+  [[nodiscard]] virtual std::vector<Error> check(const Case& edited) const = 0;
+  /// Puts `edited` in place of the open case as one undoable step named `what`; checked first. Steps with the same non-empty mergeKey in a
+  /// row become one. Its folder does not count: the case stays where it is.
+  [[nodiscard]] virtual Result<void> edit(const Case& edited, const std::string& what, const std::string& mergeKey) = 0;
   /// Saves the open case, crash-safely; into `folder` when given. Asks the user where somebody has to decide: a shipped case, or one that
   /// another program has saved meanwhile.
   /// @error badUsage, notWritable, badField, cancelled (the user wants it unsaved for now)

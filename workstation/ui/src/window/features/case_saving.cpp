@@ -185,8 +185,10 @@ void CaseSaving::restoreKeptEdits() {
   WindowParts& p = parts_;
   const auto left = std::exchange(restoring_, std::nullopt);
   if (!left || !p.document.current() || p.document.current()->folder != left->caseFolder) return;
+  auto read = caseFromManifest(left->manifest, left->caseFolder);
   const auto restored =
-      p.document.restore(left->manifest, tr("Take over the changes of %1").arg(wordsOfTime(left->at)).toStdString(), left->asRead);
+      read ? p.document.restore(std::move(*read), tr("Take over the changes of %1").arg(wordsOfTime(left->at)).toStdString(), left->asRead)
+           : Result<void>(passOn(read.error()));
   if (!restored) {
     decideLater_.push_back(left->kept);
     p.messages->showError(restored.error());

@@ -20,7 +20,7 @@ struct PluginManifest {
   std::string title;    ///< as shown; the name when the manifest gives none
   std::string version;  ///< "0.1.0"
   std::uint32_t abi = 0;
-  std::vector<std::string> capabilities;  ///< "panel", "command:stitch", …: for people, the door does not act on them
+  std::vector<std::string> capabilities;  ///< "panel", "command:stitch", …: for people; "practice" opens Cases::forPractice()
   std::string description;
   std::filesystem::path library;  ///< absolute; inside the plugin's folder
   bool operator==(const PluginManifest&) const = default;

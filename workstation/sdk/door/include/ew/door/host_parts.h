@@ -1,11 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ew/library/case_values.h"
 #include "ew/library/schema.h"
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/host.h"
@@ -41,8 +43,10 @@ class PartSchemas : public std::enable_shared_from_this<PartSchemas> {
   /// As sdk::CaseParts::add.
   [[nodiscard]] Result<sdk::Ticket> add(const std::string& name, const std::string& schema);
   [[nodiscard]] bool knows(const std::string& name) const { return schemas_.contains(name); }
-  /// What the known schemas say about the sections of a manifest.
+  /// What the known schemas say about the sections of a manifest, or of the fields of a case that are JSON (Case::otherFields).
   [[nodiscard]] std::vector<Error> problems(const nlohmann::json& manifest) const;
+  /// Everything that is wrong with a case, its sections too. @param folder where its files are looked for; empty: they are not
+  [[nodiscard]] std::vector<Error> problemsIn(Case edited, const std::filesystem::path& folder) const;
   /// Of one section.
   [[nodiscard]] std::vector<Error> problems(const std::string& name, const nlohmann::json& section) const;
 
@@ -50,10 +54,10 @@ class PartSchemas : public std::enable_shared_from_this<PartSchemas> {
   std::map<std::string, PartSchema> schemas_;
 };
 
-/// The section of a manifest; empty: it has none.
+/// The section of a manifest or of Case::otherFields; empty: it has none.
 [[nodiscard]] std::optional<nlohmann::json> partOf(const nlohmann::json& manifest, const std::string& name);
-/// The manifest with the section in place of its own, or without it; the last one takes "parts" along.
-[[nodiscard]] nlohmann::json withPart(nlohmann::json manifest, const std::string& name, const std::optional<nlohmann::json>& section);
+/// The case with the section in place of its own, or without it; the last one takes "parts" along.
+[[nodiscard]] Case withPart(Case edited, const std::string& name, const std::optional<nlohmann::json>& section);
 
 /// The log of the program, which is spdlog's default one.
 class ProgramLog final : public sdk::Log {
