@@ -457,6 +457,7 @@ class WindowTest : public WindowFixture {
     QDir().mkpath(files_.path(QStringLiteral("cache of offers")));
     QVERIFY(writeFileSafely(files_.path(QStringLiteral("cache of offers/speed.json")).toStdString(), R"({"recording": 1e6})"));
     window_->open(other);
+    QVERIFY2(!window_->messages().text().contains(QStringLiteral("being prepared")), "it is read by the job, not by the window");
     QVERIFY2(waitUntil([this] {
                const auto* offer = find<QPushButton>("takeOffer");
                return offer != nullptr && offer->isVisible();

@@ -17,7 +17,7 @@
 #include "ew/library/bundle.h"
 #include "ew/library/case_echoes.h"
 #include "ew/library/first_look.h"
-#include "ew/library/new_case.h"
+#include "ew/library/preparation.h"
 #include "ew/library/voxel_source.h"
 #include "ew/scanning/contact.h"
 #include "ew/widgets/words.h"
@@ -50,7 +50,8 @@ bool isNifti(const QString& path) {
   return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
 }
 
-constexpr int kQuiet = 19;  ///< what nobody waits for gives way to everything else
+constexpr double kLong_s = 5.0;  ///< worth waiting for behind something else
+constexpr int kQuiet = 19;       ///< what nobody waits for gives way to everything else
 
 const QString kOpening = QStringLiteral("open");  ///< topic of what opening something has to say
 
@@ -63,6 +64,13 @@ glm::dvec3 centreOf(const Grid& grid) {
 Skin::Contact skinInFrontOf(const Skin& skin, const glm::dvec3& p_mm) {
   const auto hit = skin.hit({p_mm.x, -2000.0, p_mm.z}, {0.0, 1.0, 0.0});
   return hit ? *hit : skin.nearest(p_mm);
+}
+
+/// Whether a case has to be made, and how long that takes; empty: it is there.
+std::optional<CaseToMake> toBeMade(const Case& read) {
+  if (!caseNeedsPreparation(read)) return std::nullopt;
+  const auto estimate = estimatePreparation(read);
+  return CaseToMake{read, estimate ? estimate->seconds : 0.0, mayBeDrafted(read)};
 }
 
 /// The box of a case's volume, which lies in the world when it was read.
@@ -90,6 +98,8 @@ Grid inMiddleOfTrunk(const Grid& grid, const Skin& skin) {
 
 }  // namespace
 
+bool CaseToMake::takesLong() const { return !isDrafted && seconds >= kLong_s; }
+
 /// What the job that loads a case hands over to the window's thread.
 struct Opener::Loading {
   std::optional<Case> opened;
@@ -97,6 +107,7 @@ struct Opener::Loading {
   Contents contents;
   std::shared_ptr<const bridge::Mannequin> mannequin;  ///< null: the present one is the right one
   fs::path mannequinFile;
+  std::optional<CaseToMake> left;  ///< it takes long and was not loaded
 };
 
 /// What the job that looks at any other file hands over.
@@ -201,7 +212,7 @@ void Opener::tellOpened(const QString& path, const std::vector<Message>& notes, 
       notes, kOpening);
 }
 
-void Opener::open(const QString& path) {
+void Opener::open(const QString& path, LongCases longOnes) {
   const QFileInfo info(path);
   if (!info.exists()) {
     const Error error{ErrorCode::notFound,
@@ -219,24 +230,26 @@ void Opener::open(const QString& path) {
   if (info.absoluteFilePath() == openingPath_) return;
   const bool isCaseFolder = info.isDir() && (QFileInfo::exists(path + QStringLiteral("/case.json")) || !stackFiles(pathOf(path)));
   if (isCaseFolder || info.suffix() == QLatin1String("json")) {
-    openCase(path);
+    openCase(path, longOnes);
   } else {
     openImage(path);
   }
 }
 
-void Opener::startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused) {
+void Opener::startOpening(const QString& path, const QString& name, Jobs::Work work, std::function<void()> taken,
+                          std::function<void()> refused) {
   // Whoever chooses something else while a case is prepared wants that, not whatever happens to be ready last.
   giveUpOpening();
   ++busy_;
   auto id = std::make_shared<int>(0);
-  *id = jobs_.start(tr("Opening %1").arg(recentFileOf(path, false).name), std::move(work),
+  *id = jobs_.start(tr("Opening %1").arg(name), std::move(work),
                     [this, id, taken = std::move(taken), refused = std::move(refused)](const Result<void>& outcome) {
                       --busy_;
                       if (*id != openingJob_) return;
                       openingJob_ = 0;
                       openingPath_.clear();
                       reloading_.reset();
+                      beingMade_.reset();
                       if (outcome) {
                         taken();
                       } else {
@@ -258,6 +271,7 @@ void Opener::giveUpOpening() {
   openingJob_ = 0;
   openingPath_.clear();
   reloading_.reset();
+  beingMade_.reset();
   Q_EMIT ended();
 }
 
@@ -308,20 +322,29 @@ void Opener::takeContents(Loading& loaded) {
   showMannequin(loaded.mannequin);
 }
 
-void Opener::openCase(const QString& path) {
+void Opener::openCase(const QString& path, LongCases longOnes) {
   auto loaded = std::make_shared<Loading>();
   const auto job = std::make_shared<int>(0);
   startOpening(
-      path,
-      [this, loaded, path, job, present = mannequinFile_](Progress& progress) -> Result<void> {
+      path, recentFileOf(path, false).name,
+      [this, loaded, path, longOnes, job, present = mannequinFile_](Progress& progress) -> Result<void> {
         auto read = readCase(pathOf(path));
         if (!read) return passOn(read.error());
         loaded->opened = std::move(read->opened);
         loaded->asRead = read->manifest;
-        if (caseNeedsPreparation(*loaded->opened)) tellPreparing(path, loaded->opened->id, job);
+        auto toMake = toBeMade(*loaded->opened);
+        if (toMake && longOnes == LongCases::leave && toMake->takesLong()) {
+          loaded->left = std::move(toMake);
+          return {};
+        }
+        if (toMake) tellPreparing(path, std::move(*toMake), job);
         return load(*loaded, present, progress);
       },
       [this, loaded, path] {
+        if (loaded->left) {
+          Q_EMIT tooLong(path, *loaded->left);
+          return;
+        }
         if (!mayReplace_(words(titleForTrainees(*loaded->opened)))) return;
         messages_.forgetWhatIsPast();
         takeContents(*loaded);
@@ -334,11 +357,14 @@ void Opener::openCase(const QString& path) {
   *job = openingJob_;
 }
 
-void Opener::tellPreparing(const QString& path, const std::string& caseId, const std::shared_ptr<const int>& job) {
+void Opener::tellPreparing(const QString& path, CaseToMake toMake, const std::shared_ptr<const int>& job) {
   QMetaObject::invokeMethod(
       this,
-      [this, path, caseId = words(caseId), job] {
-        if (*job == openingJob_) Q_EMIT preparing(path, caseId);
+      [this, path, toMake = std::move(toMake), job] {
+        if (*job != openingJob_) return;
+        const QString caseId = words(toMake.wanted.id);
+        beingMade_ = toMake;
+        Q_EMIT preparing(path, caseId);
       },
       Qt::QueuedConnection);
 }
@@ -348,9 +374,14 @@ void Opener::reloadCase(const Case& edited) {
   if (reloading_ == wanted || refused_ == wanted) return;
   auto loaded = std::make_shared<Loading>();
   loaded->opened = edited;
+  const auto job = std::make_shared<int>(0);
   const QString path = wordsOf(edited.folder);
   startOpening(
-      path, [loaded, present = mannequinFile_](Progress& progress) { return load(*loaded, present, progress); },
+      path, words(titleForTrainees(edited)),
+      [this, loaded, path, job, present = mannequinFile_](Progress& progress) {
+        if (auto toMake = toBeMade(*loaded->opened)) tellPreparing(path, std::move(*toMake), job);
+        return load(*loaded, present, progress);
+      },
       [this, loaded, path] {
         // Edits that go on meanwhile, of the title or the placement, count; those of another volume have asked for another loading.
         const auto& now = document_.current();
@@ -366,9 +397,9 @@ void Opener::reloadCase(const Case& edited) {
         if (!std::exchange(showsCase_, false)) return;
         session_.clear(Session::Patient::same);  // until something else is scanned
       });
+  *job = openingJob_;
   openingPath_.clear();  // whoever opens the case meanwhile wants what its folder holds
   reloading_ = wanted;
-  if (caseNeedsPreparation(edited)) Q_EMIT preparing(path, words(edited.id));
 }
 
 void Opener::loadChanged(const Case& edited) {
@@ -384,7 +415,7 @@ void Opener::reloadLabels(const Case& edited) {
   if (reloading_ == wanted || refused_ == wanted) return;
   auto read = std::make_shared<std::shared_ptr<const Volume>>();
   startOpening(
-      wordsOf(edited.folder),
+      wordsOf(edited.folder), words(titleForTrainees(edited)),
       [read, edited, contents = contents_->read](Progress& progress) -> Result<void> {
         auto labels = readLabelsFor(edited, contents, progress);
         if (!labels) return passOn(labels.error());
@@ -502,7 +533,7 @@ void Opener::takeFiner() {
 void Opener::openImage(const QString& path) {
   auto loaded = std::make_shared<Image>();
   startOpening(
-      path,
+      path, recentFileOf(path, false).name,
       [loaded, path](Progress& progress) -> Result<void> {
         const auto kind = kindOfFile(pathOf(path));
         if (!kind) return passOn(kind.error());
@@ -638,7 +669,7 @@ void Opener::openVolume(std::shared_ptr<const Volume> volume, const QString& tit
   }
   auto voxels = std::make_shared<ScanVoxels>();
   startOpening(
-      title,
+      title, recentFileOf(title, false).name,
       [voxels, volume = std::move(volume)](Progress& progress) -> Result<void> {
         auto made = ScanVoxels::of(volume, progress);
         if (!made) return passOn(made.error());

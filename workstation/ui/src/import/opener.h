@@ -22,6 +22,14 @@ class HandInput;
 class MessageBar;
 class View3D;
 
+/// A case whose volume has to be made before it is shown.
+struct CaseToMake {
+  Case wanted;
+  double seconds = 0.0;    ///< about, on this machine; 0: nobody knows
+  bool isDrafted = false;  ///< shown coarsely within seconds meanwhile
+  [[nodiscard]] bool takesLong() const;
+};
+
 /// Opens cases, volumes and sweeps as jobs and puts what came out into the session: placed, with the probe on the skin in front of it.
 /// Nothing is replaced before the new thing is there in full, and then only what may be lost (see askBeforeReplacing). A case whose volume
 /// is exchanged by an edit is loaded again as opening it does, so that the scan shows what the case holds; while its volume stays the same,
@@ -41,8 +49,10 @@ class Opener final : public QObject {
     mayScan_ = std::move(mayScan);
   }
 
+  /// What becomes of a case that takes long to be made: it is opened, however long that is, or left to whoever is told of it (tooLong).
+  enum class LongCases { open, leave };
   /// By what it is: a folder or case.json is a case, a file with poses a sweep, any other image a volume.
-  void open(const QString& path);
+  void open(const QString& path, LongCases longOnes = LongCases::open);
   void loadDefaultMannequin();
   /// Shows a volume that belongs to no case. @param keepPlace whether its own coordinates are to be used when they lie in the body
   /// @param provenance of the same voxels, or null @param madeFrom see sources()
@@ -66,12 +76,16 @@ class Opener final : public QObject {
   [[nodiscard]] bool isOpening() const { return openingJob_ != 0; }
   /// Whether this is what is being opened now; ended() follows.
   [[nodiscard]] bool isOpening(const QString& path) const;
+  /// Of what is being opened, from preparing() to ended(): what has to be made.
+  [[nodiscard]] const std::optional<CaseToMake>& beingMade() const { return beingMade_; }
   /// The files that what is shown was read or made from, those of the open case among them: nothing may be saved over them.
   [[nodiscard]] std::vector<std::filesystem::path> sources() const;
 
  Q_SIGNALS:
   /// A case is being opened whose volume has to be made first: told once it is read, and before ended().
   void preparing(const QString& path, const QString& caseId);
+  /// A case was not opened, for it takes long to be made (LongCases::leave): what was open stays open. Told before ended().
+  void tooLong(const QString& path, const ew::ui::CaseToMake& left);
   void ended();  ///< nothing is being opened any more, whatever came of it; another opening may follow
   void opened(const QString& path);
   void draftShown();                       ///< the volume of the open case is still to be made
@@ -99,10 +113,10 @@ class Opener final : public QObject {
     Sources sources;
     CaseContents read;
   };
-  void openCase(const QString& path);
+  void openCase(const QString& path, LongCases longOnes);
   /// From the thread of a job: preparing() on the window's, if that job is still the opening there is. @param job its id, known and looked
   /// at on the window's thread alone
-  void tellPreparing(const QString& path, const std::string& caseId, const std::shared_ptr<const int>& job);
+  void tellPreparing(const QString& path, CaseToMake toMake, const std::shared_ptr<const int>& job);
   void openImage(const QString& path);
   /// Loads what the open case names since it was edited.
   void reloadCase(const Case& edited);
@@ -120,7 +134,9 @@ class Opener final : public QObject {
   /// Whose examination goes on when a case's volume is scanned now.
   [[nodiscard]] Session::Patient patientOf(const Sources& next) const;
   /// Runs `work` as the one opening there is: a later one cancels it, and then `taken` is not called.
-  void startOpening(const QString& path, Jobs::Work work, std::function<void()> taken, std::function<void()> refused = {});
+  /// @param name of it, for the job's card
+  void startOpening(const QString& path, const QString& name, Jobs::Work work, std::function<void()> taken,
+                    std::function<void()> refused = {});
   void giveUpOpening();
   /// One message of what reading it had to decide.
   void tellOpened(const QString& path, const std::vector<Message>& notes, const std::vector<Message>& warnings = {});
@@ -146,6 +162,7 @@ class Opener final : public QObject {
   std::optional<Contents> contents_;  ///< of the open case; empty without one
   std::optional<Contents> finer_;     ///< waits to take the place of a draft
   QTimer finerSoon_;
+  std::optional<CaseToMake> beingMade_;
   std::optional<Sources> reloading_;              ///< what the open case is being loaded for again
   std::optional<Sources> refused_;                ///< that could not be loaded: not tried again until they change or are asked for
   std::filesystem::path mannequinFile_;           ///< of the body that is shown or on its way

@@ -88,6 +88,10 @@ void Opening::connectParts() {
   connect(p.opener, &Opener::failed, this, [this](const Error& error) {
     if (error.code == ErrorCode::cancelled && !preparing_.isEmpty()) parts_.preparation.stop(preparingId_);
   });
+  connect(p.opener, &Opener::tooLong, this, [this](const QString& path, const CaseToMake& left) {
+    isBehind_ = true;
+    parts_.preparing->prepareBehind(path, left);
+  });
   connect(p.opener, &Opener::ended, this, &Opening::ended);
   connectImports();
   // Whoever asks waits for the case to be there, however long it takes: it is not prepared behind what is open.
@@ -151,8 +155,10 @@ void Opening::holdUnsavedWork(UnsavedWork& list) {
 void Opening::open(const QString& path) {
   if (!parts_.accessLock->mayOpen(path)) return;
   // What is on its way and takes long goes on behind whatever is chosen now, and says when it is ready.
-  if (const QString before = preparing_; !before.isEmpty() && pathOf(before) != pathOf(path)) parts_.preparing->prepareBehind(before, true);
-  if (!parts_.preparing->prepareBehind(path, parts_.session.subject().has_value())) parts_.opener->open(path);
+  if (const auto& before = parts_.opener->beingMade(); before && before->takesLong() && pathOf(preparing_) != pathOf(path))
+    parts_.preparing->prepareBehind(preparing_, *before);
+  // Where nothing is open it is shown as soon as it is there.
+  parts_.opener->open(path, parts_.session.subject() ? Opener::LongCases::leave : Opener::LongCases::open);
 }
 
 void Opening::openDropped(const QStringList& paths) {
@@ -240,7 +246,7 @@ void Opening::opened(const QString& path) {
 
 void Opening::ended() {
   calibrations_.clear();
-  waiting_ = {};
+  if (!std::exchange(isBehind_, false)) waiting_ = {};  // a recording plays once its case is ready and taken
   parts_.caseSaving->openingEnded();
   parts_.resuming->openingEnded();
   parts_.preparing->openingIsRead();

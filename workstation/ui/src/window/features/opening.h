@@ -62,6 +62,7 @@ class Opening final : public Feature {
     QString path;
     std::shared_ptr<const ScanRecording> recording;
   } waiting_;                             ///< for its case, which is being opened
+  bool isBehind_ = false;                 ///< what was opened is made behind what is open instead
   std::optional<bool> recentForAuthors_;  ///< for whom the menu was filled; empty: not yet
   QMenu* recent_ = nullptr;
   QAction* first_ = nullptr;

@@ -57,32 +57,22 @@ void Preparing::openingIsRead() {
   if (const auto folder = shippedCasesFolder()) parts_.preparation.start(listCases(*folder).cases);
 }
 
-bool Preparing::prepareBehind(const QString& path, bool isSomethingWorkedWith) {
+void Preparing::prepareBehind(const QString& path, const CaseToMake& left) {
   WindowParts& p = parts_;
-  constexpr double kWorthWaitingFor_s = 5.0;
-  if (!isSomethingWorkedWith) return false;  // it is shown as soon as it is there
-  const auto wanted = loadCase(pathOf(path));
-  if (!wanted || !caseNeedsPreparation(*wanted) || mayBeDrafted(*wanted)) return false;
-  const auto estimate = estimatePreparation(*wanted);
-  if (!estimate || estimate->seconds < kWorthWaitingFor_s) return false;
-  offers_[wanted->id] = path;
-  p.preparation.ask(*wanted);
+  const QString title = shownTitle(left.wanted);
+  offers_[left.wanted.id] = {path, title};
+  p.preparation.ask(left.wanted);
   p.messages->showNote(tr("'%1' is being prepared, which takes %2. What is open stays open; you are told when the case is ready.")
-                           .arg(shownTitle(*wanted), aboutMinutes(estimate->seconds)),
-                       readyTopic(wanted->id));
-  return true;
+                           .arg(title, aboutMinutes(left.seconds)),
+                       readyTopic(left.wanted.id));
 }
 
 void Preparing::offer(const QString& caseId) {
-  const auto offer = offers_.find(caseId.toStdString());
-  if (offer == offers_.end()) return;
-  const QString path = offer->second;
-  offers_.erase(offer);
-  const auto ready = loadCase(pathOf(path));
-  if (!ready) return;
+  const auto offer = offers_.extract(caseId.toStdString());
+  if (offer.empty()) return;
+  const auto& [path, title] = offer.mapped();
   parts_.messages->showOffer(
-      tr("'%1' is ready.").arg(shownTitle(*ready)), tr("Open"), [this, path] { parts_.opening->open(path); },
-      readyTopic(caseId.toStdString()));
+      tr("'%1' is ready.").arg(title), tr("Open"), [this, path = path] { parts_.opening->open(path); }, readyTopic(offer.key()));
 }
 
 void Preparing::show() {

@@ -8,6 +8,8 @@
 
 namespace ew::ui {
 
+struct CaseToMake;
+
 /// Cases whose volumes are made in the background: what the cards say of them, and what the window tells when one is ready.
 class Preparing final : public Feature {
   Q_OBJECT
@@ -21,9 +23,8 @@ class Preparing final : public Feature {
   void begin();
   /// What was being opened when the work was to begin is read, and has the work paused where it makes a volume itself; or it is over.
   void openingIsRead();
-  /// Prepares a case without taking what is open away, and offers it when it is ready. @return false: it needs no time, or takes nothing
-  /// away
-  bool prepareBehind(const QString& path, bool isSomethingWorkedWith);
+  /// Prepares a case without taking what is open away, and offers it when it is ready.
+  void prepareBehind(const QString& path, const CaseToMake& left);
   void show();  ///< on the cards in sight
   /// It is open: nobody has to be told that it is ready.
   void forgetOffer(const std::string& caseId);
@@ -31,7 +32,10 @@ class Preparing final : public Feature {
  private:
   void offer(const QString& caseId);
 
-  std::map<std::string, QString> offers_;  ///< cases by id, with their paths, that are prepared behind what is open
+  struct Offer {
+    QString path, title;
+  };
+  std::map<std::string, Offer> offers_;  ///< by the case's id: those that are prepared behind what is open
   bool waitsToBegin_ = false;
 };
 
