@@ -71,7 +71,7 @@ void ExaminationsField::addOne(std::size_t number) {
     edited->setObjectName(name + QLatin1String(key));
     edited->setPlaceholderText(hint);
     edited->setAccessibleName(hint);
-    edited->setText(sdk::words(one.*text));
+    edited->setText(words(one.*text));
     connect(edited, &QLineEdit::textEdited, this, [this, number, text](const QString& typed) { edit(number, text, typed); });
     head->addWidget(edited, 1);
   };
