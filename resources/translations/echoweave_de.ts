@@ -4963,10 +4963,6 @@
         <translation>Der Ursprung des Volumens ist nicht endlich; den Offset in der Datei prüfen.</translation>
     </message>
     <message>
-        <source>The volume&apos;s place is not 16 numbers, row by row; correct &apos;volume.file_to_world&apos; in case.json.</source>
-        <translation>Die Lage des Volumens besteht nicht aus 16 Zahlen, Zeile für Zeile; „volume.file_to_world“ in case.json berichtigen.</translation>
-    </message>
-    <message>
         <source>The volume&apos;s voxels do not fit its grid; read it again.</source>
         <translation>Die Voxel des Volumens passen nicht zu seinem Gitter; das Volumen neu lesen.</translation>
     </message>

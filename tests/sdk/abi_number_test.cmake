@@ -27,7 +27,7 @@ function(hash_after_change header from to result)
 endfunction()
 
 hash_of(${SOURCE}/workstation now)
-foreach(name sdk/include/ew/sdk/host.h core/include/ew/core/result.h core/include/ew/core/volume.h)
+foreach(name sdk/include/ew/sdk/host.h library/include/ew/library/case_values.h core/include/ew/core/result.h core/include/ew/core/volume.h)
   if(NOT name IN_LIST names)
     message(FATAL_ERROR "${name} crosses the door, but does not count for the ABI number.")
   endif()

@@ -70,7 +70,7 @@ class OneCase final : public sdk::Cases {
 };
 
 /// Keeps what a plugin shows and offers; everything else is the headless host's.
-class PanelHost final : public sdk::Host, public sdk::Panels, public sdk::Volumes {
+class PanelHost : public sdk::Host, public sdk::Panels, public sdk::Volumes {
  public:
   sdk::Volumes& volumes() override { return *this; }
   sdk::Files& files() override { return inner_.files(); }
