@@ -2,11 +2,14 @@
 
 #include <QComboBox>
 #include <QDragEnterEvent>
+#include <QHBoxLayout>
 #include <QMimeData>
 #include <QPainter>
+#include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QUrl>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ew/widgets/fields.h"
