@@ -7,8 +7,8 @@
 #include "ew/sdk/workspaces.h"
 #include "panel/review_column.h"
 #include "panel/review_stage.h"
+#include "panel/review_words.h"
 #include "panel/session/review_session.h"
-#include "panel/style.h"
 
 namespace {
 

@@ -13488,6 +13488,17 @@
     </message>
 </context>
 <context>
+    <name>ew::figures</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+</context>
+<context>
     <name>ew::stitching::CostChart</name>
     <message>
         <source>%1: %2 mm in %3</source>
@@ -13520,14 +13531,6 @@
     <message>
         <source>accurate</source>
         <translation>genau</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 min %2 s</source>
-        <translation>%1 min %2 s</translation>
     </message>
 </context>
 <context>

@@ -53,13 +53,13 @@ TEST(MemoryText, IsRoundedUpForLimitsAndShortForPeople) {
   EXPECT_EQ(memoryFigure(1536.0 * 1048576.0).value, 1.5);
 }
 
-TEST(ClockText, HasMinutesSecondsAndTenths) {
-  EXPECT_EQ(clockText(0.0), "0:00.0");
-  EXPECT_EQ(clockText(65.34), "1:05.3");
-  EXPECT_EQ(clockText(59.96), "1:00.0");
-  EXPECT_EQ(clockText(3601.0), "60:01.0");
-  EXPECT_EQ(clockText(-2.0), "-0:02.0");
-  EXPECT_EQ(clockText(-0.04), "0:00.0");
+TEST(MinutesText, HasMinutesSecondsAndTenths) {
+  EXPECT_EQ(minutesText(0.0), "0:00.0");
+  EXPECT_EQ(minutesText(65.34), "1:05.3");
+  EXPECT_EQ(minutesText(59.96), "1:00.0");
+  EXPECT_EQ(minutesText(3601.0), "60:01.0");
+  EXPECT_EQ(minutesText(-2.0), "-0:02.0");
+  EXPECT_EQ(minutesText(-0.04), "0:00.0");
 }
 
 }  // namespace

@@ -21,8 +21,6 @@ constexpr double kStep_s = 0.5;
 
 }  // namespace
 
-QString clockText(double time_s) { return QString::fromStdString(ew::clockText(std::max(0.0, time_s))); }
-
 TimeLine::TimeLine(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -49,7 +49,4 @@ class TimeLine final : public QWidget {
   int heldMark_ = -1;
 };
 
-/// A time as "1:05.2".
-[[nodiscard]] QString clockText(double time_s);
-
 }  // namespace ew::lessons

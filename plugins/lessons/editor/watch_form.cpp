@@ -12,6 +12,7 @@
 #include "editor/order_list.h"
 #include "editor/time_line.h"
 #include "ew/sdk/window.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"

@@ -1,5 +1,6 @@
 // Looking at the expert's scan: the part that is shown, its marks, playing it.
 #include "editor/watch_form.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"

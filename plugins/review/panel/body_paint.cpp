@@ -9,9 +9,9 @@
 #include "ew/imaging/display.h"
 #include "ew/widgets/theme.h"
 #include "panel/body_view.h"
+#include "panel/review_words.h"
 #include "panel/session/playback.h"
 #include "panel/session/scan_pair.h"
-#include "panel/style.h"
 
 namespace ew::review {
 
@@ -35,7 +35,7 @@ void BodyView::makeStill() {
     if (showsPlanes_) paintPlanes(painter, side);
     paintPath(painter, side);
   }
-  painter.setFont(smaller(*this));
+  painter.setFont(smallFont());
   const QString text = heatWords();
   if (!text.isEmpty()) {
     const QRectF room = QRectF(rect()).adjusted(kGrid_px, 0, -kGrid_px, -kGrid_px);
@@ -93,7 +93,7 @@ void BodyView::paintPath(QPainter& painter, Side side) const {
       isBegun = true;
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(0, 0, 0, isDark(palette()) ? 120 : 50), 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(QColor(0, 0, 0, currentTheme().dark ? 120 : 50), 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(path);
     QPen pen(colour(side), 2.0, whoOf(side) == Who::expert ? Qt::SolidLine : Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
     if (whoOf(side) == Who::trainee) pen.setDashPattern({4.0, 1.5});
@@ -139,7 +139,7 @@ void BodyView::paintProbe(QPainter& painter, Side side) const {
   painter.drawPolyline(face);
   painter.setPen(QPen(palette().color(QPalette::Window), 1.0));
   painter.setBrush(colour(side));
-  drawMarkOf(painter, whoOf(side), pixel(glm::dvec3(0.0, -8.0, 0.0)), withText(5, font()));
+  drawMarkOf(painter, whoOf(side), pixel(glm::dvec3(0.0, -8.0, 0.0)), scaled(5));
 }
 
 }  // namespace ew::review

@@ -16,9 +16,10 @@
 
 #include "ew/bridge/scene3d.h"
 #include "ew/imaging/display.h"
+#include "ew/widgets/theme.h"
+#include "panel/review_words.h"
 #include "panel/session/playback.h"
 #include "panel/session/scan_pair.h"
-#include "panel/style.h"
 
 namespace ew::review {
 
@@ -74,7 +75,7 @@ BodyView::BodyView(const ScanPair& scans, const Playback& playback, QWidget* par
   window->SetMultiSamples(0);
   if (auto* interactor = canvas_->interactor()) interactor->SetInteractorStyle(nullptr);
   scene_ = std::make_unique<bridge::Scene3D>(*window);
-  scene_->setColours(isDark(palette()) ? bridge::darkColours() : bridge::lightColours());
+  scene_->setColours(currentTheme().dark ? bridge::darkColours() : bridge::lightColours());
   scene_->setBodyOpacity(kTranslucent);
   scene_->setProbeVisible(false);
   canvas_->installEventFilter(this);
@@ -89,7 +90,7 @@ BodyView::~BodyView() {
   delete canvas_;
 }
 
-QColor BodyView::colour(Side side) const { return colourOf(whoOf(side), isDark(palette())); }
+QColor BodyView::colour(Side side) const { return colourOf(whoOf(side), currentTheme().dark); }
 
 void BodyView::takeScans() {
   if (scans_.mannequin() && scene_->mannequin() != scans_.mannequin()) scene_->setMannequin(scans_.mannequin());
@@ -199,7 +200,7 @@ void BodyView::showEvent(QShowEvent* event) {
 void BodyView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::PaletteChange || !scene_) return;
-  scene_->setColours(isDark(palette()) ? bridge::darkColours() : bridge::lightColours());
+  scene_->setColours(currentTheme().dark ? bridge::darkColours() : bridge::lightColours());
   moved();
 }
 

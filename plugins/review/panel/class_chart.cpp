@@ -6,7 +6,7 @@
 #include "ew/core/chart_axis.h"
 #include "ew/widgets/theme.h"
 #include "panel/class_page.h"
-#include "panel/style.h"
+#include "panel/review_words.h"
 
 namespace ew::review {
 
@@ -21,8 +21,8 @@ DistributionChart::DistributionChart(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QSize DistributionChart::sizeHint() const { return {45 * kGrid_px, withText(190, font())}; }
-QSize DistributionChart::minimumSizeHint() const { return {25 * kGrid_px, withText(150, font())}; }
+QSize DistributionChart::sizeHint() const { return {45 * kGrid_px, scaled(190)}; }
+QSize DistributionChart::minimumSizeHint() const { return {25 * kGrid_px, scaled(150)}; }
 
 void DistributionChart::show(const Distribution& values, const QString& unit, double lowest, double highest, std::optional<double> level) {
   values_ = values;
@@ -49,15 +49,15 @@ void DistributionChart::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(palette().color(QPalette::Base));
   painter.drawRoundedRect(rect(), 4, 4);
-  painter.setFont(smaller(*this));
+  painter.setFont(smallFont());
   if (values_.values.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap, tr("Nobody has a value here yet"));
     return;
   }
-  const double words = withText(20, font());
+  const double words = scaled(20);
   const QRectF box(4 * kGrid_px, 2 * kGrid_px, width() - 6.0 * kGrid_px, height() - 2.0 * kGrid_px - words - 4.0);
-  const double boxHigh = withText(28, font());
+  const double boxHigh = scaled(28);
   paintBars(painter, box.adjusted(0, 0, 0, -boxHigh - kGrid_px));
   paintBox(painter, QRectF(box.left(), box.bottom() - boxHigh, box.width(), boxHigh));
   painter.setPen(palette().color(QPalette::PlaceholderText));
@@ -90,7 +90,7 @@ void DistributionChart::paintBars(QPainter& painter, const QRectF& box) const {
     if (count == 0) continue;
     const double high = box.height() * static_cast<double>(count) / static_cast<double>(most);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(colourOf(Who::trainee, isDark(palette())));
+    painter.setBrush(colourOf(Who::trainee, currentTheme().dark));
     const QRectF bar(box.left() + n * wide + 1.0, box.bottom() - high, wide - 2.0, high);
     painter.drawRect(bar);
     painter.setPen(palette().color(QPalette::WindowText));

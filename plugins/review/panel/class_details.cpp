@@ -5,13 +5,14 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
+#include "ew/widgets/figures.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/class_page.h"
 #include "panel/class_table.h"
+#include "panel/review_words.h"
 #include "panel/session/review_session.h"
-#include "panel/style.h"
 
 namespace ew::review {
 

@@ -14,13 +14,13 @@
 
 #include "ew/assessment/metric.h"
 #include "ew/widgets/fields.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/class_table.h"
 #include "panel/report_button.h"
 #include "panel/session/review_session.h"
-#include "panel/style.h"
 
 namespace ew::review {
 
@@ -126,7 +126,7 @@ QWidget* ClassPage::makeDetails() {
   attempts_ = table("classAttempts", tr("Attempts at this step"), {tr("Who"), tr("Score"), tr("Passed"), tr("Stands")});
   attempts_->header()->setSectionResizeMode(kWho, QHeaderView::ResizeToContents);
   attempts_->header()->setSectionResizeMode(kVerdict, QHeaderView::Stretch);
-  attempts_->setMinimumHeight(withText(150, font()));
+  holdLeastHeight(*attempts_, 150);
   rows->addWidget(attempts_, 1);
   suggestion_ = quietLabel({});
   suggestion_->setObjectName(QStringLiteral("classSuggestion"));

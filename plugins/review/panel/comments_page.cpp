@@ -8,11 +8,11 @@
 #include <algorithm>
 
 #include "ew/widgets/fields.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/session/review_session.h"
-#include "panel/style.h"
 
 namespace ew::review {
 

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/widgets/figures.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
+#include "panel/review_words.h"
 #include "panel/session/review_session.h"
-#include "panel/style.h"
 
 namespace ew::review {
 
@@ -76,10 +77,10 @@ void ImageView::setDrawn(std::vector<CommentStroke> strokes) {
   Q_EMIT drawnChanged();
 }
 
-int ImageView::headHeight() const { return withText(28, font()); }
+int ImageView::headHeight() const { return scaled(28); }
 /// Where all of them would leave the image less than twice their own height, only those are written that differ.
 bool ImageView::showsAllSettings() const { return height() - headHeight() >= 3 * settingsHeight(kSettingRows); }
-int ImageView::settingsHeight(int rows) const { return rows * withText(17, font()) + kGrid_px; }
+int ImageView::settingsHeight(int rows) const { return rows * scaled(17) + kGrid_px; }
 int ImageView::settingsHeight() const { return settingsHeight(showsAllSettings() ? kSettingRows : 1); }
 
 QRectF ImageView::imageRect() const { return QRectF(0, headHeight(), width(), std::max(40, height() - headHeight() - settingsHeight())); }
@@ -168,7 +169,7 @@ void ImageView::paintHead(QPainter& painter) const {
   const QColor colour = colourOf(who, true);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
-  drawMarkOf(painter, who, QPointF(2.0 * kGrid_px, 0.5 * headHeight()), withText(5, font()));
+  drawMarkOf(painter, who, QPointF(2.0 * kGrid_px, 0.5 * headHeight()), scaled(5));
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);
@@ -176,7 +177,7 @@ void ImageView::paintHead(QPainter& painter) const {
   const int wide = QFontMetrics(bold).horizontalAdvance(word);
   painter.setPen(colour);
   painter.drawText(QRect(4 * kGrid_px, 0, wide + 2, headHeight()), Qt::AlignLeft | Qt::AlignVCenter, word);
-  painter.setFont(smaller(*this));
+  painter.setFont(smallFont());
   painter.setPen(kScanQuiet);
   const QString time =
       scans_.opened(side_) == nullptr ? QString() : clockText(playback_.time_s(side_) - scans_.opened(side_)->scan->part.begin_s);
@@ -187,7 +188,7 @@ void ImageView::paintHead(QPainter& painter) const {
 }
 
 void ImageView::paintEmpty(QPainter& painter) const {
-  painter.setFont(smaller(*this));
+  painter.setFont(smallFont());
   painter.setPen(kScanQuiet);
   const QString sentence = scans_.isOpening()                ? tr("Opening …")
                            : !scans_.problem().isEmpty()     ? scans_.problem()
@@ -204,7 +205,7 @@ void ImageView::paintImage(QPainter& painter) {
   const double scale = box.width() / std::max(1, shown_->image.width());
   painter.drawImage(QRectF(box.topLeft(), QSizeF(shown_->image.size()) * scale), shown_->image);
   if (shown_->state.pose.status != PoseStatus::ok) {
-    painter.setFont(smaller(*this));
+    painter.setFont(smallFont());
     painter.setPen(kDiffers);
     painter.drawText(box, Qt::AlignCenter, tr("The pose of the probe is not known here"));
   }
@@ -255,8 +256,8 @@ void ImageView::paintStroke(QPainter& painter, const CommentStroke& stroke, cons
 void ImageView::paintSettings(QPainter& painter) const {
   QStringList lines = shownSettings();
   if (!showsAllSettings()) lines = lines.filter(QRegularExpression(QStringLiteral("^≠"))).mid(0, kSettingColumns);
-  painter.setFont(smaller(*this));
-  const int row = withText(17, font());
+  painter.setFont(smallFont());
+  const int row = scaled(17);
   const double wide = (width() - 2.0 * kGrid_px) / kSettingColumns;
   const double top = height() - settingsHeight() + 0.5 * kGrid_px;
   const int rows = (static_cast<int>(lines.size()) + kSettingColumns - 1) / kSettingColumns;

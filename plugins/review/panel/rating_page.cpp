@@ -16,7 +16,6 @@
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/session/review_session.h"
-#include "panel/style.h"
 
 namespace ew::review {
 
@@ -106,7 +105,7 @@ void RatingPage::makeBody() {
   remark_->setPlaceholderText(tr("On the whole"));
   remark_->setAccessibleName(tr("Remark on the whole"));
   remark_->setTabChangesFocus(true);
-  remark_->setFixedHeight(withText(64, font()));
+  holdFixedHeight(*remark_, 64);
   connect(remark_, &QPlainTextEdit::textChanged, this, [this] { showTotal(); });
   inner->addWidget(remark_);
   level_ = combo("ratingLevel", tr("Kind of examination"));

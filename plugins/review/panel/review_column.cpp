@@ -17,6 +17,7 @@
 
 #include "ew/reports/report_document.h"
 #include "ew/sdk/person.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/flow_layout.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
@@ -26,7 +27,6 @@
 #include "panel/rating_page.h"
 #include "panel/scores_page.h"
 #include "panel/session/review_session.h"
-#include "panel/style.h"
 
 namespace ew::review {
 
@@ -70,7 +70,7 @@ ScansPage::ScansPage(ReviewSession& session, QWidget* parent)
   attempts_->setObjectName(QStringLiteral("reviewAttempts"));
   attempts_->setAccessibleName(tr("Attempts"));
   attempts_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  attempts_->setMinimumHeight(withText(96, font()));
+  holdLeastHeight(*attempts_, 96);
   connect(attempts_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (!showing_ && row >= 0) session_.chooseAttempt(static_cast<std::size_t>(row));
   });

@@ -14,16 +14,18 @@
 #include "ew/bridge/scene3d.h"
 #include "ew/sdk/window.h"
 #include "ew/widgets/fields.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/flow_layout.h"
+#include "ew/widgets/icons.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "panel/body_view.h"
 #include "panel/class_page.h"
 #include "panel/image_view.h"
+#include "panel/review_words.h"
 #include "panel/session/review_session.h"
 #include "panel/session_door.h"
-#include "panel/style.h"
 #include "panel/track_view.h"
 
 namespace ew::review {
@@ -200,7 +202,7 @@ QToolButton* ReviewStage::iconButton(const char* name, const char* icon, const Q
   button->setToolTip(tip);
   button->setAccessibleName(tip);
   button->setFocusPolicy(Qt::TabFocus);
-  button->setIconSize({withText(18, font()), withText(18, font())});
+  button->setIconSize({scaled(18), scaled(18)});
   icons_.emplace_back(button, QLatin1String(icon));
   return button;
 }
@@ -327,13 +329,8 @@ void ReviewStage::showTools() {
 void ReviewStage::showIcons() {
   for (const auto& [button, name] : icons_) {
     const bool isPlaying = button == play_ && playback_.clock().isPlaying();
-    button->setIcon(lineIcon(isPlaying ? QStringLiteral("pause") : name, palette().color(QPalette::WindowText)));
+    button->setIcon(icon(isPlaying ? QStringLiteral("pause") : name));
   }
-}
-
-void ReviewStage::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) showIcons();
 }
 
 void ReviewStage::showClock() {

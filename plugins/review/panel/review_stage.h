@@ -47,7 +47,6 @@ class ReviewStage final : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
   enum Page { kScansPage, kClassPage, kEmptyPage };

@@ -15,13 +15,14 @@
 
 #include "ew/assessment/metric.h"
 #include "ew/widgets/fields.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/report_button.h"
+#include "panel/review_words.h"
 #include "panel/session/review_session.h"
-#include "panel/style.h"
 
 namespace ew::review {
 
@@ -91,7 +92,7 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent)
   table_->setShowGrid(false);
   table_->setWordWrap(true);
   table_->setTabKeyNavigation(false);
-  table_->setMinimumHeight(withText(180, font()));
+  holdLeastHeight(*table_, 180);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
   connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/widgets/figures.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
+#include "panel/review_words.h"
 #include "panel/session/attempt_comments.h"
 #include "panel/session/playback.h"
 #include "panel/session/scan_pair.h"
-#include "panel/style.h"
 
 namespace ew::review {
 
@@ -62,11 +63,11 @@ std::vector<TrackKind> TrackView::shownKinds() const {
   return kinds;
 }
 
-int TrackView::rowHeight() const { return withText(20, font()); }
-int TrackView::rulerHeight() const { return withText(18, font()); }
+int TrackView::rowHeight() const { return scaled(20); }
+int TrackView::rulerHeight() const { return scaled(18); }
 
 int TrackView::labelWidth() const {
-  const QFontMetrics metrics(smaller(*this));
+  const QFontMetrics metrics(smallFont());
   int widest = 0;
   for (int n = 0; n < kTrackKinds; ++n) widest = std::max(widest, metrics.horizontalAdvance(titleOf(static_cast<TrackKind>(n))));
   return widest + 2 * kGrid_px;
@@ -98,7 +99,7 @@ QRectF TrackView::laneOf(std::size_t row, Side side) const {
 void TrackView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setFont(smaller(*this));
+  painter.setFont(smallFont());
   paintRuler(painter);
   const auto kinds = shownKinds();
   for (std::size_t row = 0; row < kinds.size(); ++row) {
@@ -142,7 +143,7 @@ void TrackView::paintRuler(QPainter& painter) const {
 
 void TrackView::paintTrack(QPainter& painter, const Track& track, Side side, const QRectF& lane) const {
   const Who who = whoOf(side);
-  const QColor colour = colourOf(who, isDark(palette()));
+  const QColor colour = colourOf(who, currentTheme().dark);
   painter.setPen(Qt::NoPen);
   for (const TrackSpan& span : track.spans) {
     QColor level = colour;

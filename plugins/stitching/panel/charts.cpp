@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ew/core/figures.h"
-#include "panel/look.h"
+#include "ew/widgets/figures.h"
+#include "ew/widgets/theme.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {
@@ -24,7 +24,7 @@ void paintCard(QPainter& painter, const QWidget& on) {
   painter.setBrush(on.palette().color(QPalette::Base));
   painter.drawRoundedRect(on.rect(), 4, 4);
   QFont font = on.font();
-  font.setPixelSize(withText(11, font));
+  font.setPixelSize(scaled(11));
   painter.setFont(font);
 }
 
@@ -50,7 +50,7 @@ LevelChart::LevelChart(StitchSession& session, QWidget* parent) : QWidget(parent
   setObjectName(QStringLiteral("levelChart"));
   const auto look = [this] {
     const bool nothing = runs_.levels(look_.pair()).empty() && runs_.warpLevels(look_.pair()).empty();
-    setFixedHeight(withText(nothing ? 48 : 104, font()));  // a chart of nothing takes no room from what can be done about it
+    setFixedHeight(scaled(nothing ? 48 : 104));  // a chart of nothing takes no room from what can be done about it
     update();
   };
   connect(&session, &StitchSession::levelsChanged, this, look);
@@ -85,7 +85,7 @@ void LevelChart::paintGrid(QPainter& painter, const LevelPlot& plot) const {
     painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
     painter.drawLine(QPointF(plot.box.left(), y), QPointF(plot.box.right(), y));
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(QRectF(0, y - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, number(tick.value, tick.decimals));
+    painter.drawText(QRectF(0, y - 8, 32, 16), Qt::AlignRight | Qt::AlignVCenter, figure(tick.value, tick.decimals));
   }
 }
 
@@ -149,7 +149,7 @@ void CostChart::show(const std::array<ExpectedCost, 3>& costs, ElasticEffort inU
   error_mm_ = linearAxis(errors_mm, kFewSteps);
   QStringList lines;
   for (const ExpectedCost& cost : costs)
-    lines << tr("%1: %2 mm in %3").arg(nameOfEffort(cost.effort), number(cost.error_mm, 2), inSeconds(cost.seconds));
+    lines << tr("%1: %2 mm in %3").arg(nameOfEffort(cost.effort), figure(cost.error_mm, 2), inSeconds(cost.seconds));
   setAccessibleDescription(lines.join(QStringLiteral("; ")));
   update();
 }
@@ -201,7 +201,7 @@ void CostChart::paintEvent(QPaintEvent*) {
   painter.setPen(quiet);
   painter.drawText(QRectF(4, 2, 32, 16), Qt::AlignRight | Qt::AlignVCenter, tr("mm"));
   for (const ChartTick& tick : error_mm_.ticks)
-    painter.drawText(QRectF(0, at(0, tick.value).y() - 8, 36, 16), Qt::AlignRight | Qt::AlignVCenter, number(tick.value, tick.decimals));
+    painter.drawText(QRectF(0, at(0, tick.value).y() - 8, 36, 16), Qt::AlignRight | Qt::AlignVCenter, figure(tick.value, tick.decimals));
   for (const ChartTick& tick : time_s_.ticks) {
     const QString word = tick.value > 0.0 ? inSeconds(tick.value) : QStringLiteral("0");
     const double wide = painter.fontMetrics().horizontalAdvance(word);
@@ -220,7 +220,7 @@ void CostChart::paintEvent(QPaintEvent*) {
     painter.setBrush(used ? accent : quiet);
     painter.drawEllipse(point, used ? 5.0 : 3.5, used ? 5.0 : 3.5);
     if (!used) continue;
-    const QString word = tr("in use: %1 mm, %2").arg(number(cost.error_mm, 2), inSeconds(cost.seconds));
+    const QString word = tr("in use: %1 mm, %2").arg(figure(cost.error_mm, 2), inSeconds(cost.seconds));
     painter.setPen(accent);  // above the curve, where no point can lie
     painter.drawText(QRectF(40, 2, width() - 48.0, 16), Qt::AlignRight | Qt::AlignVCenter, word);
   }
@@ -244,7 +244,7 @@ bool CostChart::event(QEvent* event) {
     if (effort >= 0) {
       const ExpectedCost& cost = (*costs_)[static_cast<std::size_t>(effort)];
       QToolTip::showText(help->globalPos(), tr("%1: %2 mm on average, 95 % below %3 mm, in %4. Click to deform this pair so.")
-                                                .arg(nameOfEffort(cost.effort), number(cost.error_mm, 2), number(cost.error95_mm, 2),
+                                                .arg(nameOfEffort(cost.effort), figure(cost.error_mm, 2), figure(cost.error95_mm, 2),
                                                      inSeconds(cost.seconds)));
       return true;
     }
@@ -262,19 +262,6 @@ QString nameOfEffort(ElasticEffort effort) {
       return CostChart::tr("accurate");
   }
   return {};
-}
-
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
-
-QString memoryText(double bytes) {
-  const auto [value, decimals, isGibibytes] = memoryFigure(bytes);
-  return (isGibibytes ? QStringLiteral("%1 GiB") : QStringLiteral("%1 MiB")).arg(number(value, decimals));
-}
-
-QString inSeconds(double seconds) {
-  if (seconds < 99.5) return CostChart::tr("%1 s").arg(number(seconds, seconds < 0.095 ? 2 : seconds < 9.95 ? 1 : 0));
-  const int whole = static_cast<int>(std::lround(seconds));
-  return CostChart::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
 }
 
 }  // namespace ew::stitching

@@ -80,8 +80,5 @@ class CostChart final : public QWidget {
 };
 
 [[nodiscard]] QString nameOfEffort(registration::ElasticEffort effort);  ///< in the language of the window
-[[nodiscard]] QString number(double value, int decimals);                ///< in the language of the window
-[[nodiscard]] QString inSeconds(double seconds);                         ///< "0.3 s", "2 min 5 s"
-[[nodiscard]] QString memoryText(double bytes);                          ///< "3.5 MiB", "1.5 GiB"
 
 }  // namespace ew::stitching

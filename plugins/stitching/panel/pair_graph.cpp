@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "ew/widgets/words.h"
-#include "panel/look.h"
+#include "panel/marks.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {

@@ -16,12 +16,13 @@
 
 #include "ew/sdk/placement_fields.h"
 #include "ew/widgets/fields.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/charts.h"
-#include "panel/look.h"
+#include "panel/marks.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {
@@ -365,7 +366,7 @@ void PairInspector::showLandmarks() {
     const bool outlying = result && std::find(result->outlying.begin(), result->outlying.end(), n) != result->outlying.end();
     const bool known = result && n < result->residual_mm.size() && result->verdict != registration::Verdict::cannotTell;
     const QString texts[] = {QString::number(n + 1), words(marks[n].name),
-                             known ? (outlying ? tr("%1 mm, off") : tr("%1 mm")).arg(number(result->residual_mm[n], 1)) : tr("-")};
+                             known ? (outlying ? tr("%1 mm, off") : tr("%1 mm")).arg(figure(result->residual_mm[n], 1)) : tr("-")};
     for (int c = 0; c < 3; ++c) {
       auto* item = new QTableWidgetItem(texts[c]);
       item->setFlags(c == 1 ? item->flags() | Qt::ItemIsEditable : item->flags() & ~Qt::ItemIsEditable);
@@ -398,7 +399,7 @@ void PairInspector::showLandmarks() {
   }
   if (result && result->verdict == registration::Verdict::aligned && tools_.hand != Tools::Hand::pick)
     text =
-        tr("%1 mm on average, %2 mm to be expected at the far side").arg(number(result->rms_mm, 1), number(result->expectedError_mm, 1)) +
+        tr("%1 mm on average, %2 mm to be expected at the far side").arg(figure(result->rms_mm, 1), figure(result->expectedError_mm, 1)) +
         (result->outlying.empty() ? QString() : QStringLiteral(". ") + briefly(result->remarks));
   landmarkWord_->say(text);
   landmarkWord_->setVisible(!text.isEmpty());
@@ -419,7 +420,7 @@ void PairInspector::showCost() {
     measured_->setText(warped->effort == effort ? took : tr("%1 (%2)").arg(took, nameOfEffort(warped->effort)));
     measured_->setToolTip(
         tr("That deforming this pair took; it correlates %1 after %2 before, and moves by up to %3 mm")
-            .arg(number(warped->after.correlation, 2), number(warped->before.correlation, 2), number(warped->largestMotion_mm, 1)) +
+            .arg(figure(warped->after.correlation, 2), figure(warped->before.correlation, 2), figure(warped->largestMotion_mm, 1)) +
         (warped->processor_s > 0.0
              ? QLatin1Char('\n') + tr("By the clock; %1 of it were work of the processor.").arg(inSeconds(warped->processor_s))
              : QString()));
@@ -445,12 +446,12 @@ void PairInspector::showCost() {
   const auto costs = expectedWarps(a->grid, b->grid, pace);
   const ExpectedCost& mine = costs[static_cast<std::size_t>(effort)];
   // What one waits for; the chart below compares processor times, which do not depend on what else the machine does.
-  expected_->setText(tr("%1 mm in %2").arg(number(mine.error_mm, 2), inSeconds(pace.clock * mine.seconds)));
+  expected_->setText(tr("%1 mm in %2").arg(figure(mine.error_mm, 2), inSeconds(pace.clock * mine.seconds)));
   const QString from =
       tr("From 'echoweave bench register': two views of one tissue, up to 5 mm apart, with two thirds of their speckle in common, on one "
          "thread; scaled to this pair's %1 million voxels of %2 mm.")
-          .arg(number(1e-6 * static_cast<double>(a->grid.voxelCount() + b->grid.voxelCount()), 1),
-               number(std::min({a->grid.spacing_mm.x, a->grid.spacing_mm.y, a->grid.spacing_mm.z}), 2)) +
+          .arg(figure(1e-6 * static_cast<double>(a->grid.voxelCount() + b->grid.voxelCount()), 1),
+               figure(std::min({a->grid.spacing_mm.x, a->grid.spacing_mm.y, a->grid.spacing_mm.z}), 2)) +
       QLatin1Char(' ') +
       (pace.pairs > 0 ? tr("Times are as %n pairs took here.", nullptr, static_cast<int>(pace.pairs))
                       : tr("Times are those of the machine of the figures until a pair was deformed here."));
@@ -474,7 +475,7 @@ void PairInspector::showSearchCost() {
 void PairInspector::showFigures() {
   if (!look_.pair() || !isVisible()) return;
   const QuickAgreement now = look_.agreement();
-  now_->setText(now.points < 200 ? tr("no overlap") : number(now.correlation, 2));
+  now_->setText(now.points < 200 ? tr("no overlap") : figure(now.correlation, 2));
   const bool was = std::exchange(showing_, true);
   pose_->setTransform(rigidInverse(look_.transform()));
   showing_ = was;
@@ -508,7 +509,7 @@ void PairInspector::refresh() {
     reason = tr("Match it, mark landmarks in both volumes, or nudge it with the keys.");
   if (line.mark == StitchResults::Mark::landmarks && line.outcome->landmarks)
     reason += QLatin1Char(' ') + tr("At the far side %1 mm are to be expected; the images were not asked.")
-                                     .arg(number(line.outcome->landmarks->expectedError_mm, 1));
+                                     .arg(figure(line.outcome->landmarks->expectedError_mm, 1));
   if (line.wrong) reason += QLatin1Char(' ') + tr("The other pairs contradict it.");
   if (line.stale) reason += QLatin1Char(' ') + tr("Changed since: match again.");
   reason_->say(reason);
@@ -517,10 +518,10 @@ void PairInspector::refresh() {
   const QString none = QStringLiteral("-");
   if (line.outcome != nullptr) {
     const auto& rigid = line.outcome->rigid;
-    overlap_->setText(tr("%1 %").arg(number(100.0 * rigid.after.overlapShare, 0)));
+    overlap_->setText(tr("%1 %").arg(figure(100.0 * rigid.after.overlapShare, 0)));
     correlation_->setText(tr("%1 (was %2, chance %3)")
-                              .arg(number(rigid.after.correlation, 2), number(rigid.before.correlation, 2), number(rigid.after.chance, 2)));
-    halves_->setText(rigid.halvesDisagree_mm > 0.0 ? tr("%1 mm").arg(number(rigid.halvesDisagree_mm, 2)) : none);
+                              .arg(figure(rigid.after.correlation, 2), figure(rigid.before.correlation, 2), figure(rigid.after.chance, 2)));
+    halves_->setText(rigid.halvesDisagree_mm > 0.0 ? tr("%1 mm").arg(figure(rigid.halvesDisagree_mm, 2)) : none);
     time_->setText(rigid.seconds > 0.0 ? inSeconds(rigid.seconds) : none);
     if (rigid.after.overlapShare == 0.0 && rigid.after.correlation == 0.0) {  // by landmarks or by hand the images were not asked
       overlap_->setText(none);
@@ -535,7 +536,7 @@ void PairInspector::refresh() {
     double smallest = 1.0;
     for (const auto* warp : {mine.warp, other.warp})
       if (!warp->displacement_mm.empty()) smallest = std::min(smallest, registration::jacobianOf(*warp).smallest);
-    jacobian_->setText(number(smallest, 2));
+    jacobian_->setText(figure(smallest, 2));
   } else {
     jacobian_->setText(none);
   }

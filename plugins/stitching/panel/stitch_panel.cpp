@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
 #include <QPushButton>
@@ -23,13 +22,15 @@
 
 #include "ew/core/memory.h"
 #include "ew/widgets/fields.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/question.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/charts.h"
 #include "panel/folders.h"
-#include "panel/look.h"
+#include "panel/marks.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {
@@ -444,13 +445,7 @@ void StitchPanel::askForFiles() {
 
 bool StitchPanel::mayLeaveProject() {
   if (document_.project().volumes.empty() || !document_.hasUnsavedChanges()) return true;
-  QMessageBox question(this);
-  question.setObjectName(QStringLiteral("unsavedProjectQuestion"));
-  question.setIcon(QMessageBox::NoIcon);
-  question.setText(tr("The stitch project has changes that are not saved."));
-  question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  question.setDefaultButton(QMessageBox::Save);
-  const int answer = question.exec();
+  const auto answer = askBeforeLeaving(this, {"unsavedProjectQuestion", tr("The stitch project has changes that are not saved."), {}});
   if (answer == QMessageBox::Save) {
     document_.save(false);
     return !document_.hasUnsavedChanges();

@@ -12,11 +12,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ew/widgets/elided_label.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "panel/look.h"
+#include "panel/marks.h"
 #include "panel/session_door.h"
 #include "panel/stitch_session.h"
 
@@ -25,20 +26,6 @@ namespace {
 
 constexpr int kInspectorWidth_px = 312;
 constexpr int kMostInspectorWidth_px = 420;  // with large words it scrolls to the side, and the views keep their room
-
-/// A title that gives way: with too little room it ends in dots and tells the rest in its tooltip.
-class ElidedLabel final : public QLabel {
- public:
-  using QLabel::QLabel;
-  [[nodiscard]] QSize minimumSizeHint() const override { return {24, QLabel::minimumSizeHint().height()}; }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
-  }
-};
 
 void chooseIn(QComboBox* box, int data) {
   const int at = box->findData(data);
@@ -102,7 +89,7 @@ StitchStage::StitchStage(StitchSession& session, QWidget* parent)
   makeFourthChoice();
   makeBrush();
   inspector_ = new PairInspector(session, tools_);
-  inspector_->setFixedWidth(std::min(withText(kInspectorWidth_px, font()), kMostInspectorWidth_px));
+  inspector_->setFixedWidth(std::min(scaled(kInspectorWidth_px), kMostInspectorWidth_px));
   connect(inspector_, &PairInspector::handChosen, this, [this] { toolsChanged(); });
   row->addWidget(makeGrid(), 1);
   auto* line = new QWidget;
@@ -246,7 +233,7 @@ QWidget* StitchStage::makeFrame(QLabel*& title, QWidget* content, const std::vec
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* head = new QWidget;
-  head->setFixedHeight(kGrid_px + withText(28, font()));
+  head->setFixedHeight(kGrid_px + scaled(28));
   head->setAutoFillBackground(true);
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(kGrid_px, 3, kGrid_px / 2, 3);

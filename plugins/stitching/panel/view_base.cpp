@@ -3,7 +3,8 @@
 #include <QKeyEvent>
 #include <QPainter>
 
-#include "panel/look.h"
+#include "ew/widgets/theme.h"
+#include "panel/marks.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {
@@ -27,9 +28,7 @@ bool ViewBase::event(QEvent* event) {
 void ViewBase::beginPainting(QPainter& painter, const QColor& ground) const {
   painter.fillRect(rect(), ground);
   painter.setRenderHint(QPainter::Antialiasing);
-  QFont small = font();
-  small.setPixelSize(withText(12, small));
-  painter.setFont(small);
+  painter.setFont(smallFont());
 }
 
 void ViewBase::drawFocus(QPainter& painter) const {

@@ -24,7 +24,7 @@
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/folders.h"
-#include "panel/look.h"
+#include "panel/marks.h"
 #include "panel/stitch_session.h"
 
 namespace ew::stitching {
@@ -52,9 +52,7 @@ QString placementWords(Placement placement) {
 class VolumeDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
-  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override {
-    return {200, withText(kRow_px, option.font)};
-  }
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, scaled(kRow_px)}; }
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
@@ -75,7 +73,7 @@ class VolumeDelegate final : public QStyledItemDelegate {
       painter->setBrush(Qt::NoBrush);
       painter->drawRoundedRect(QRectF(box).adjusted(2.5, 1.5, -2.5, -1.5), 4, 4);
     }
-    const auto px = [&option](int size) { return withText(size, option.font); };
+    const auto px = [](int size) { return scaled(size); };
     const auto placed = [&](const QRect& rect) { return QStyle::visualRect(option.direction, box, rect); };
     const QRectF badge(placed(QRect(box.left() + 10, box.top() + px(11), px(22), px(22))));
     painter->setPen(QPen(colourOf(colourOfView(static_cast<std::size_t>(index.row()))), 2.0));
@@ -127,7 +125,7 @@ VolumeList::VolumeList(StitchSession& session, QWidget* parent)
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   list_->setDragDropMode(QAbstractItemView::InternalMove);
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  list_->setMinimumHeight(2 * withText(kRow_px, list_->font()) + 4);
+  list_->setMinimumHeight(2 * scaled(kRow_px) + 4);
   list_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   list_->installEventFilter(this);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
@@ -270,8 +268,8 @@ void VolumeList::refresh() {
   const bool was = std::exchange(showing_, true);
   const auto& volumes = document_.project().volumes;
   const int rows = static_cast<int>(volumes.size());
-  list_->setMinimumHeight(std::clamp(rows, 2, 4) * withText(kRow_px, list_->font()) + 4);
-  list_->setMaximumHeight(std::max(2, rows) * withText(kRow_px, list_->font()) + 4);
+  list_->setMinimumHeight(std::clamp(rows, 2, 4) * scaled(kRow_px) + 4);
+  list_->setMaximumHeight(std::max(2, rows) * scaled(kRow_px) + 4);
   while (list_->count() > static_cast<int>(volumes.size())) delete list_->takeItem(list_->count() - 1);
   for (std::size_t n = 0; n < volumes.size(); ++n) {
     QListWidgetItem* item = list_->item(static_cast<int>(n));

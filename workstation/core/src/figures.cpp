@@ -47,7 +47,7 @@ MemoryFigure memoryFigure(double bytes) {
   return {mebibytes, mebibytes < 10.0 ? 1 : 0, false};
 }
 
-std::string clockText(double time_s) {
+std::string minutesText(double time_s) {
   const long long tenths = std::llround(10.0 * std::abs(time_s));
   std::string seconds = std::to_string(tenths / 10 % 60);
   seconds.insert(0, 2 - seconds.size(), '0');

@@ -1,8 +1,11 @@
 #include "ew/widgets/figures.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+
+#include "ew/core/figures.h"
 
 namespace ew {
 namespace {
@@ -36,6 +39,22 @@ QString signedFigure(double value, int decimals) {
   if (plain == figure(0.0, decimals)) return plain;
   return (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) + plain;
 }
+
+QString clockText(double time_s) { return QString::fromStdString(minutesText(time_s)); }
+
+QString memoryText(double bytes) {
+  const auto [value, decimals, isGibibytes] = memoryFigure(bytes);
+  return (isGibibytes ? QStringLiteral("%1 GiB") : QStringLiteral("%1 MiB")).arg(figure(value, decimals));
+}
+
+QString inSeconds(double seconds) {
+  if (seconds < 99.5)
+    return QCoreApplication::translate("ew::figures", "%1 s").arg(figure(seconds, seconds < 0.095 ? 2 : seconds < 9.95 ? 1 : 0));
+  const int whole = static_cast<int>(std::lround(seconds));
+  return QCoreApplication::translate("ew::figures", "%1 min %2 s").arg(whole / 60).arg(whole % 60);
+}
+
+QString percent(double share) { return QLocale().toString(100.0 * share, 'f', 0) + QStringLiteral(" %"); }
 
 int figuresWidth_px(const QFontMetrics& metrics, const QString& text) {
   if (isFromTheRight(text)) return metrics.horizontalAdvance(text);

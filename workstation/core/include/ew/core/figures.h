@@ -29,6 +29,6 @@ struct MemoryFigure {
 [[nodiscard]] MemoryFigure memoryFigure(double bytes);
 
 /// A time on a clock of minutes, seconds and tenths: "1:05.3", "-0:02.0".
-[[nodiscard]] std::string clockText(double time_s);
+[[nodiscard]] std::string minutesText(double time_s);
 
 }  // namespace ew

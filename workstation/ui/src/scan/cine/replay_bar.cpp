@@ -22,7 +22,7 @@ namespace {
 
 /// "0:07.4"
 /// The tenth that has begun, as clocks have it.
-QString clockOf(double time_s) { return QString::fromStdString(clockText(std::floor(time_s * 10.0 + 1e-6) / 10.0)); }
+QString clockOf(double time_s) { return QString::fromStdString(minutesText(std::floor(time_s * 10.0 + 1e-6) / 10.0)); }
 
 }  // namespace
 

@@ -12,6 +12,15 @@ namespace ew {
 /// The same with its sign: +3.5, −3.5 and, when nothing but zeros is left of it, 0.0.
 [[nodiscard]] QString signedFigure(double value, int decimals);
 
+/// A time as "1:05.2"; before the beginning "-0:01.0".
+[[nodiscard]] QString clockText(double time_s);
+/// A duration as "0.3 s", "2 min 5 s".
+[[nodiscard]] QString inSeconds(double seconds);
+/// Memory as "3.5 MiB", "512 MiB", "1.5 GiB".
+[[nodiscard]] QString memoryText(double bytes);
+/// A share of 0.67 as "67 %".
+[[nodiscard]] QString percent(double share);
+
 /// Width of `text` when every digit takes the width of the widest one, so that a changing number does not move its neighbours. Qt 5
 /// cannot ask a font for its tabular figures, so the digits are placed one by one.
 [[nodiscard]] int figuresWidth_px(const QFontMetrics& metrics, const QString& text);

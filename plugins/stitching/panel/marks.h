@@ -1,13 +1,12 @@
 #pragma once
 
 #include <QColor>
-#include <QFont>
 #include <QPalette>
 #include <QString>
-#include <QWidget>
 #include <array>
 #include <cstdint>
 
+#include "ew/widgets/theme.h"
 #include "logic/slices.h"
 #include "panel/stitch_results.h"
 
@@ -17,11 +16,8 @@ namespace ew::stitching {
 
 inline QColor colourOf(const std::array<std::uint8_t, 3>& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
 
-/// A size that holds text, so many pixels at the window's usual 13: what is painted grows with the words around it.
-[[nodiscard]] inline int withText(int px, const QFont& font) { return font.pixelSize() > 0 ? px * font.pixelSize() / 13 : px; }
-
 [[nodiscard]] inline QColor colourOfMark(StitchResults::Mark mark, const QPalette& palette) {
-  const bool dark = palette.color(QPalette::Window).lightness() < 128;
+  const bool dark = currentTheme().dark;
   switch (mark) {
     case StitchResults::Mark::aligned:
       return dark ? QColor(0x5f, 0xb8, 0x6e) : QColor(0x2a, 0x80, 0x3c);

@@ -1,74 +1,23 @@
-#include "panel/style.h"
+#include "panel/review_words.h"
 
 #include <QCoreApplication>
-#include <QFile>
-#include <QIconEngine>
 #include <QLocale>
 #include <QPainter>
-#include <QPixmap>
-#include <QSvgRenderer>
+#include <QPolygonF>
 #include <cmath>
 
 #include "ew/assessment/judging.h"
-#include "ew/core/figures.h"
+#include "ew/widgets/figures.h"
 
 namespace ew::review {
-namespace {
-
-/// Drawn at whatever size is asked for.
-class SvgIcon final : public QIconEngine {
- public:
-  SvgIcon(QByteArray svg, QColor colour) : svg_(std::move(svg)), colour_(std::move(colour)) {}
-  void paint(QPainter* painter, const QRect& box, QIcon::Mode mode, QIcon::State) override {
-    QByteArray coloured = svg_;
-    coloured.replace("currentColor", colour_.name().toLatin1());
-    QSvgRenderer renderer(coloured);
-    painter->save();
-    painter->setOpacity(mode == QIcon::Disabled ? 0.4 : 1.0);
-    renderer.render(painter, box);
-    painter->restore();
-  }
-  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-    QPixmap image(size);
-    image.fill(Qt::transparent);
-    QPainter painter(&image);
-    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
-    return image;
-  }
-  [[nodiscard]] QIconEngine* clone() const override { return new SvgIcon(svg_, colour_); }
-
- private:
-  QByteArray svg_;
-  QColor colour_;
-};
-
-}  // namespace
-
 QColor colourOf(Who who, bool onDark) {
   if (who == Who::expert) return onDark ? QColor(110, 165, 245) : QColor(25, 95, 190);
   return onDark ? QColor(240, 160, 70) : QColor(185, 90, 0);
 }
 
-QFont smaller(const QWidget& of) {
-  QFont font = of.font();
-  font.setPixelSize(withText(12, font));
-  return font;
-}
-
-QIcon lineIconOf(const QByteArray& svg, const QColor& colour) { return QIcon(new SvgIcon(svg, colour)); }
-
-QIcon lineIcon(const QString& name, const QColor& colour) {
-  QFile file(QStringLiteral(":/ew/icons/%1.svg").arg(name));
-  return file.open(QIODevice::ReadOnly) ? lineIconOf(file.readAll(), colour) : QIcon();
-}
-
 const char* workspaceIcon() {
   return R"(<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24" fill="none" stroke="currentColor" stroke-width="1.75" stroke-linecap="round" stroke-linejoin="round"><path d="M7 4.5 3.5 14h7zM17 4.5 13.5 14h7zM3.5 19h17M9 17.5v3"/></svg>)";
 }
-
-QString clockText(double time_s) { return QString::fromStdString(ew::clockText(time_s)); }
-
-QString percent(double share) { return QLocale().toString(100.0 * share, 'f', 0) + QStringLiteral(" %"); }
 
 QString percentBeside(double share, double level) {
   const bool isHidden = !reachesLevel(share, level) && std::round(100.0 * share) >= std::round(100.0 * level);
