@@ -10,10 +10,10 @@
 #include "editor/order_list.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/scrolled_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/lesson_list.h"
-#include "panel/scrolled_rows.h"
 #include "panel/step_kinds.h"
 
 namespace ew::lessons {

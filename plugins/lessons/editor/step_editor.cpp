@@ -11,10 +11,10 @@
 #include "editor/order_list.h"
 #include "editor/task_form.h"
 #include "ew/widgets/labels.h"
+#include "ew/widgets/scrolled_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/aid_words.h"
-#include "panel/scrolled_rows.h"
 #include "panel/step_kinds.h"
 
 namespace ew::lessons {

@@ -9,11 +9,14 @@
 class QLabel;
 class QPushButton;
 
+namespace ew {
+class ScrolledRows;
+}
+
 namespace ew::lessons {
 
 class ExpertTake;
 class FieldForm;
-class ScrolledRows;
 class TaskForm;
 
 /// One step: what every step has, and what only its kind has; what is missing is said at the top.

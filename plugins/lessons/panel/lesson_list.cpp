@@ -7,9 +7,9 @@
 
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/scrolled_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "panel/scrolled_rows.h"
 #include "panel/step_kinds.h"
 
 namespace ew::lessons {

@@ -9,9 +9,11 @@
 
 class QVBoxLayout;
 
-namespace ew::lessons {
-
+namespace ew {
 class ScrolledRows;
+}
+
+namespace ew::lessons {
 
 /// "Level 2, about 10 min".
 [[nodiscard]] QString levelText(int level);

@@ -8,10 +8,10 @@
 
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/scrolled_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "logic/lesson_run.h"
-#include "panel/scrolled_rows.h"
 
 namespace ew::lessons {
 

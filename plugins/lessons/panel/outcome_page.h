@@ -10,10 +10,13 @@
 class QLabel;
 class QPushButton;
 
+namespace ew {
+class ScrolledRows;
+}
+
 namespace ew::lessons {
 
 class LessonRun;
-class ScrolledRows;
 
 /// How a step went: passed or not, what was good, what was missed; and at the end of a lesson how all of it went. Its buttons wait a
 /// moment, so that a double click on the page before does not reach them.

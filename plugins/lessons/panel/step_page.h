@@ -21,9 +21,11 @@ class QProgressBar;
 class QPushButton;
 class QVBoxLayout;
 
-namespace ew::lessons {
-
+namespace ew {
 class ScrolledRows;
+}
+
+namespace ew::lessons {
 
 /// One step at work: what to do, what to look for, aids and hints, and what the trainee hands in. Owns nothing of the lesson: the panel
 /// does.

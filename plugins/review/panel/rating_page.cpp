@@ -6,13 +6,13 @@
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "ew/sdk/window.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/scrolled_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/session/review_session.h"
@@ -46,15 +46,8 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent)
   setObjectName(QStringLiteral("reviewRating"));
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* page = new QWidget;
-  auto* rows = new QVBoxLayout(page);
-  rows->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
-  rows->setSpacing(kGrid_px);
+  auto* scroll = new ScrolledRows(2 * kGrid_px);
+  auto* rows = scroll->rows();
   form_ = combo("ratingForm", tr("Rating form"));
   if (const auto resources = resourceFolder()) forms_ = listRatingForms(*resources, libraryFolder());
   for (const RatingForm& each : forms_.forms)
@@ -73,7 +66,6 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent)
   makeBody();
   rows->addWidget(body_);
   rows->addStretch(1);
-  scroll->setWidget(page);
   outer->addWidget(scroll);
   idle_.setSingleShot(true);
   idle_.setInterval(kPause_ms);

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/scrolled_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/report_button.h"
@@ -65,15 +65,8 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent)
     if (auto read = MetricDefaults::read(*resources)) defaults_ = std::move(*read);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  auto* body = new QWidget;
-  auto* rows = new QVBoxLayout(body);
-  rows->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
-  rows->setSpacing(kGrid_px);
+  auto* scroll = new ScrolledRows(2 * kGrid_px);
+  auto* rows = scroll->rows();
   verdict_ = headingLabel({});
   verdict_->setObjectName(QStringLiteral("reviewVerdict"));
   verdict_->setWordWrap(true);
@@ -116,7 +109,6 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent)
   buttons->addWidget(score_, 1);
   buttons->addWidget(report_, 1);
   rows->addLayout(buttons);
-  scroll->setWidget(body);
   outer->addWidget(scroll);
   connect(&scans_, &ScanPair::changed, this, &ScoresPage::refresh);
   connect(&selection_, &ReviewSelection::changed, this, &ScoresPage::refresh);

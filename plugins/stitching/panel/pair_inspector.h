@@ -3,8 +3,8 @@
 #include <QWidget>
 
 #include "ew/sdk/placement_fields.h"
+#include "ew/widgets/paragraph.h"
 #include "panel/charts.h"
-#include "panel/paragraph.h"
 #include "panel/slice_view.h"
 
 class QComboBox;

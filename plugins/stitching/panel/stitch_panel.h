@@ -3,8 +3,8 @@
 #include <QWidget>
 #include <memory>
 
+#include "ew/widgets/paragraph.h"
 #include "panel/pair_graph.h"
-#include "panel/paragraph.h"
 #include "panel/volume_list.h"
 
 class QAction;
