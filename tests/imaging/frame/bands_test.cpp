@@ -35,6 +35,30 @@ TEST(Bands, NeverUseASlotTwiceAtATime) {
   EXPECT_EQ(clashes, 0);
 }
 
+TEST(Bands, HandOutEveryItemOnceAndFewOfThemToSeveralThreads) {
+  for (const int threads : {1, 2, 3}) {
+    Bands bands(threads);
+    for (const int items : {0, 1, 2, 3, 9}) {
+      std::vector<std::atomic<int>> visits(static_cast<std::size_t>(items));
+      std::vector<std::atomic<int>> inUse(static_cast<std::size_t>(threads));
+      std::atomic<int> clashes = 0;
+      bands.runEach(items, [&](int item, int slot) {
+        if (inUse.at(static_cast<std::size_t>(slot))++ != 0) ++clashes;
+        ++visits.at(static_cast<std::size_t>(item));
+        --inUse.at(static_cast<std::size_t>(slot));
+      });
+      for (const auto& count : visits) ASSERT_EQ(count, 1) << threads << " threads, " << items << " items";
+      EXPECT_EQ(clashes, 0);
+    }
+  }
+}
+
+TEST(Bands, HandOutItemsInTheirOrderOnOneThread) {
+  std::vector<int> order;
+  Bands(1).runEach(4, [&](int item, int) { order.push_back(item); });
+  EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3}));
+}
+
 TEST(Bands, ZeroThreadsMeansOnePerProcessor) { EXPECT_GE(Bands(0).threads(), 1); }
 
 TEST(Bands, SeveralOwnersMayRunAtTheSameTimeInsideEachOther) {

@@ -117,9 +117,7 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
         }
       }
   });
-  bands.run(kPlanes, [&](int first, int count, int) {
-    for (int p = first; p < first + count; ++p) march(p);
-  });
+  bands.runEach(kPlanes, [&](int plane, int) { march(plane); });
   bands.run(steps_, [&](int firstStep, int count, int) {
     for (int p = 1; p < kPlanes; ++p) {
       float* sum = gains_.data() + indexOf(0, firstStep);

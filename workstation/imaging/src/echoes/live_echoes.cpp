@@ -20,14 +20,6 @@ std::uint64_t spread(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// The numbers 0 .. count - 1, of which each is heavier than the one before, so that both halves of the list weigh about the same.
-std::vector<int> balanced(int count) {
-  std::vector<int> first, second;
-  for (int n = count - 1, turn = 0; n >= 0; --n, ++turn) ((turn + 1) / 2 % 2 == 0 ? first : second).push_back(n);
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 }  // namespace
 
 void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const EchoBeams& beams, const BeamGrid& grid,
@@ -39,8 +31,6 @@ void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   field_.assign(static_cast<std::size_t>(stride_) * layout_.grid.lines.size(), 0.0F);
   fineStride_ = stride_ + 2;  // scatterers are shared by two columns
   fine_.resize(static_cast<std::size_t>(fineStride_) * static_cast<std::size_t>(layout_.rows));
-  const int pieces = piecesOf(layout_);
-  for (int odd = 0; odd < 2; ++odd) orderOfPieces_[static_cast<std::size_t>(odd)] = balanced((pieces + 1 - odd) / 2);
   surfaces_.configure(layout_);
   losses_.configure(layout_, probe, scene, knobs.carrier_hz);
   reverberation_.configure(layout_, scene);
@@ -86,24 +76,21 @@ void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Trans
   task.stride = static_cast<std::int32_t>(fineStride_);
   bands.run(layout_.rows, [&](int first, int count, int) { std::fill_n(fine_.data() + first * fineStride_, count * fineStride_, 0); });
   // Every other piece, then those between: two threads never add to the same place.
+  const int pieces = piecesOf(layout_);
   for (const int odd : {0, 1}) {
-    const std::vector<int>& order = orderOfPieces_[static_cast<std::size_t>(odd)];
-    bands.run(static_cast<int>(order.size()), [&](int first, int count, int slot) {
+    const int count = (pieces + 1 - odd) / 2;
+    bands.runEach(count, [&](int n, int slot) {
       Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
-      for (int n = first; n < first + count; ++n) {
-        const int piece = 2 * order[static_cast<std::size_t>(n)] + odd;
-        findBlocks(layout_, place, motion_, level.grid.dims, piece, mine.shifts, mine.blocks);
-        addScatterers(task, mine.blocks.data(), mine.blocks.size());
-        if (!(layout_.effect.fragmentsPerCm3 > 0.0)) continue;
-        findBlocks(layout_, fragments, motion_, level.grid.dims, piece, mine.shifts, mine.blocks);
-        surfaces_.addFragments(level, fragments, mine.blocks, fine_.data(), fineStride_);
-      }
+      const int piece = 2 * (count - 1 - n) + odd;  // deep ones hold most
+      findBlocks(layout_, place, motion_, level.grid.dims, piece, mine.shifts, mine.blocks);
+      addScatterers(task, mine.blocks.data(), mine.blocks.size());
+      if (!(layout_.effect.fragmentsPerCm3 > 0.0)) return;
+      findBlocks(layout_, fragments, motion_, level.grid.dims, piece, mine.shifts, mine.blocks);
+      surfaces_.addFragments(level, fragments, mine.blocks, fine_.data(), fineStride_);
     });
   }
   if (!maps.surfaces.empty() && !maps.surfaceDistance.empty()) surfaces_.add(maps, probeToVoxel, motion_, bands, fine_.data(), fineStride_);
-  bands.run(layout_.tiles, [&](int first, int count, int) {
-    for (int tile = first; tile < first + count; ++tile) filterTile(tile);
-  });
+  bands.runEach(layout_.tiles, [&](int tile, int) { filterTile(tile); });
 }
 
 void LiveEchoes::filterTile(int tile) {

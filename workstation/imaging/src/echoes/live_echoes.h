@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -57,7 +56,6 @@ class LiveEchoes {
   void layHaze(double haze_db);
 
   EchoLayout layout_;
-  std::array<std::vector<int>, 2> orderOfPieces_;  ///< of the even and of the odd ones: deep pieces hold most, and two threads get as much
   EchoSurfaces surfaces_;
   EchoLosses losses_;
   EchoReverberation reverberation_;

@@ -39,19 +39,28 @@ void Bands::runErased(int rows, void* work, Erased call) {
   if (rows <= 0) return;
   const int bands = std::min(kBandsPerThread * threads_, (rows + kFewestRows - 1) / kFewestRows);
   if (!arena_ || bands < 2) return call(work, 0, rows, 0);
-  const auto runBand = [&](int band, int slot) {
-    const auto rowOf = [&](int n) { return static_cast<int>(static_cast<long long>(rows) * n / bands); };
-    const int first = rowOf(band);
-    call(work, first, rowOf(band + 1) - first, slot);
+  const auto rowOf = [&](int band) { return static_cast<int>(static_cast<long long>(rows) * band / bands); };
+  runEach(bands, [&](int band, int slot) { call(work, rowOf(band), rowOf(band + 1) - rowOf(band), slot); });
+}
+
+void Bands::runEachErased(int items, void* work, Erased call) {
+  if (!arena_ || items < 2) {
+    for (int item = 0; item < items; ++item) call(work, item, 1, 0);
+    return;
+  }
+  // Whoever is ready takes the next: nobody waits for a thread that is still waking, or whose processor is taken away.
+  std::atomic<int> next{0};
+  const auto takeItems = [&](int slot) {
+    for (int item = next++; item < items; item = next++) call(work, item, 1, slot);
   };
+  const int takers = std::min(threads_, items);
 #ifdef __SANITIZE_THREAD__
   // oneTBB is built without the sanitizer, which would not see how a thread is handed its band.
-  std::atomic<int> next{0};
-  callOnThreads(bands, threads_, [&](int worker) { runBand(next++, worker); });
+  callOnThreads(takers, threads_, takeItems);
 #else
   arena_->arena.execute([&] {
     tbb::parallel_for(
-        0, bands, [&](int band) { runBand(band, tbb::this_task_arena::current_thread_index()); }, tbb::simple_partitioner());
+        0, takers, [&](int) { takeItems(tbb::this_task_arena::current_thread_index()); }, tbb::simple_partitioner());
   });
 #endif
 }

@@ -28,11 +28,20 @@ class Bands {
     runErased(rows, const_cast<void*>(static_cast<const void*>(std::addressof(work))),
               [](void* erased, int firstRow, int rowCount, int slot) { (*static_cast<Plain*>(erased))(firstRow, rowCount, slot); });
   }
+  /// Calls work(item, slot) once for each of 0 .. items - 1, one by one and in this order: for a few that are as much work as many rows,
+  /// the heaviest first.
+  template <class Work>
+  void runEach(int items, Work&& work) {
+    using Plain = std::remove_reference_t<Work>;
+    runEachErased(items, const_cast<void*>(static_cast<const void*>(std::addressof(work))),
+                  [](void* erased, int item, int, int slot) { (*static_cast<Plain*>(erased))(item, slot); });
+  }
 
  private:
   struct Arena;
   using Erased = void (*)(void* work, int firstRow, int rowCount, int slot);
   void runErased(int rows, void* work, Erased call);
+  void runEachErased(int items, void* work, Erased call);
   int threads_ = 1;
   std::unique_ptr<Arena> arena_;  ///< none with one thread
 };
