@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "label_blend.h"
-
 namespace ew::detail {
 namespace {
 
@@ -44,7 +42,6 @@ void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const S
   own_db_.resize(kPlanes * samples);
   reflection_.resize(kPlanes * samples);
   gains_.resize(kPlanes * samples);
-  ways_.resize(static_cast<std::size_t>(lines_));
   skin_mm_.resize(static_cast<std::size_t>(lines_));
   for (March& march : marches_)
     for (std::vector<float>* ofLines : {&march.waiting_db, &march.loss_log2, &march.reflection_log2, &march.met_db, &march.since_mm})
@@ -60,10 +57,10 @@ void EchoLosses::findSkin(const SliceSource& level, const glm::mat4& labelToLeve
   // Voxels have a level from half a voxel before the skin on.
   const auto early_mm = static_cast<float>(0.5 * level.grid.spacing_mm.x);
   for (int line = 0; line < lines_; ++line) {
-    const Way& way = ways_[static_cast<std::size_t>(line)];
+    const glm::vec3 start = ways_.startOf(line), perMm = ways_.perMmOf(line);
     float depth_mm = 0.0F;
     for (; depth_mm < kMostGel_mm; depth_mm += kSkinStep_mm) {
-      glm::vec3 place = way.start + (depth_mm - early_mm) * way.perMm;
+      glm::vec3 place = start + (depth_mm - early_mm) * perMm;
       if (motion.moves()) place += motion.backOn(back_[0], line, depth_mm);
       if (isTissue(place)) break;
     }
@@ -75,12 +72,8 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
                       const Transform<frame::Voxel, frame::Probe>& probeToLevel, const EchoMotion& motion, Bands& bands) {
   const LabelBlend blend{labels, perStep_db_, reflection_db_};
   const glm::dmat4& m = probeToLabel.matrix;
-  for (std::size_t line = 0; line < ways_.size(); ++line) {
-    const BeamGrid::Line& way = layout_->grid.lines[line];
-    ways_[line] = {glm::vec3(m * glm::dvec4(way.origin_mm, 0.0, 1.0)), glm::vec3(m * glm::dvec4(way.direction, 0.0, 0.0))};
-  }
+  ways_.lay(layout_->grid, m);
   const glm::vec3 aside(m[2]);
-  const auto ahead_mm = static_cast<float>(2.0 * step_mm_);
   if (motion.moves())
     for (std::size_t p = 0; p < kPlanes; ++p) motion.rowsOf(static_cast<double>(kAside[p]), glm::mat3(m), bands, back_[p]);
   findSkin(level, glm::mat4(probeToLevel.matrix * glm::inverse(m)), motion);
@@ -92,21 +85,8 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
         const glm::vec3 offset = kAside[static_cast<std::size_t>(p)] * elevation_mm_[static_cast<std::size_t>(s)] * aside;
         float* own = own_db_.data() + indexOf(p, s);
         float* reflection = reflection_.data() + indexOf(p, s);
-        const auto ask = [&](auto backOf) {
-          for (int line = 0; line < lines_; ++line) {
-            const Way& way = ways_[static_cast<std::size_t>(line)];
-            glm::vec3 place = way.start + offset + depth_mm * way.perMm;
-            backOf(line, place);
-            blend.announce(place + ahead_mm * way.perMm);
-            blend.at(place, own[line], reflection[line]);
-          }
-        };
-        if (!motion.moves()) {
-          ask([](int, glm::vec3&) {});
-        } else {
-          const std::vector<glm::vec3>& back = back_[static_cast<std::size_t>(p)];
-          ask([&](int line, glm::vec3& place) { place += motion.backOn(back, line, depth_mm); });
-        }
+        blendRow(blend, {ways_, offset, depth_mm, motion.rowsAround(back_[static_cast<std::size_t>(p)], depth_mm)}, 0, lines_, own,
+                 reflection);
         if (s == 0) {
           std::fill_n(own, lines_, 0.0F);
         } else if (const auto stepStart_mm = static_cast<float>((s - 1) * step_mm_); stepStart_mm < kMostGel_mm) {

@@ -9,6 +9,7 @@
 #include "echo_rays.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/slice_source.h"
+#include "label_rows.h"
 
 namespace ew::detail {
 
@@ -41,12 +42,6 @@ class EchoLosses {
            static_cast<std::size_t>(lines_);
   }
 
-  /// A line in voxels of the labels.
-  struct Way {
-    glm::vec3 start;
-    glm::vec3 perMm;
-  };
-
   void findSkin(const SliceSource& level, const glm::mat4& labelToLevel, const EchoMotion& motion);
   void march(int plane);
 
@@ -59,11 +54,11 @@ class EchoLosses {
   float gelPerStep_db_ = 0.0F;
   std::array<float, 256> perStep_db_{};
   std::array<float, 256> reflection_db_{};
-  std::vector<float> elevation_mm_;  ///< by step: one standard deviation
-  std::vector<float> own_db_;        ///< by plane, step, line
-  std::vector<float> reflection_;    ///< likewise
-  std::vector<float> gains_;         ///< likewise; in the end the first plane has the sum
-  std::vector<Way> ways_;
+  std::vector<float> elevation_mm_;                   ///< by step: one standard deviation
+  std::vector<float> own_db_;                         ///< by plane, step, line
+  std::vector<float> reflection_;                     ///< likewise
+  std::vector<float> gains_;                          ///< likewise; in the end the first plane has the sum
+  LineWays ways_;                                     ///< in voxels of the labels
   std::array<std::vector<glm::vec3>, kPlanes> back_;  ///< by plane: EchoMotion::rowsOf, in voxels
   std::vector<float> skin_mm_;                        ///< by line: how much gel is before it
   EchoRays rays_;

@@ -55,13 +55,23 @@ class EchoMotion {
   /// @param rows    knot after knot, by line; knots lie knot_mm() apart from range 0 on
   void rowsOf(double sigmas, const glm::mat3& toVoxel, Bands& bands, std::vector<glm::vec3>& rows) const;
   [[nodiscard]] double knot_mm() const { return knot_mm_; }
-  /// Of rowsOf, between the knots around a range on a line.
-  [[nodiscard]] glm::vec3 backOn(const std::vector<glm::vec3>& rows, int line, float range_mm) const {
-    if (range_mm >= deepest_mm_) return glm::vec3(0.0F);
+  /// Of rowsOf, the two around a range.
+  struct RowsAround {
+    const glm::vec3* near = nullptr;  ///< by line; null: nothing moves there
+    const glm::vec3* next = nullptr;
+    float part = 0.0F;  ///< of the way to the next
+    [[nodiscard]] glm::vec3 at(int line) const { return near[line] + part * (next[line] - near[line]); }
+  };
+  [[nodiscard]] RowsAround rowsAround(const std::vector<glm::vec3>& rows, float range_mm) const {
+    if (!moves() || range_mm >= deepest_mm_) return {};
     const float at = range_mm * perKnot_;
     const int knot = std::min(static_cast<int>(at), knots_ - 2);
-    const glm::vec3* near = rows.data() + static_cast<std::ptrdiff_t>(knot) * lines_ + line;
-    return near[0] + (at - static_cast<float>(knot)) * (near[lines_] - near[0]);
+    const glm::vec3* near = rows.data() + static_cast<std::ptrdiff_t>(knot) * lines_;
+    return {near, near + lines_, at - static_cast<float>(knot)};
+  }
+  [[nodiscard]] glm::vec3 backOn(const std::vector<glm::vec3>& rows, int line, float range_mm) const {
+    const RowsAround around = rowsAround(rows, range_mm);
+    return around.near == nullptr ? glm::vec3(0.0F) : around.at(line);
   }
 
  private:

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "label_blend.h"
 #include "line_kernels.h"
 
 namespace ew::detail {
@@ -13,6 +12,7 @@ namespace {
 constexpr double kGasBelow_mrayl = 0.05;
 constexpr double kLungBelow_mrayl = 0.5;
 constexpr double kStep_mm = 0.6;   // along a line, in search of a front
+constexpr int kSearched = 16;      // lines side by side
 constexpr double kPatch_mm = 3.0;  // of the front, that rings as one
 constexpr double kNear_mm = 1.5;   // labels and surfaces agree on a front's place within this
 constexpr double kRough_db = 8.0;  // lost by a bounce at a rough front beyond that at a smooth one
@@ -124,34 +124,39 @@ void EchoReverberation::find(const SliceSource& labels, const Transform<frame::V
   const glm::dvec3 face_mm = glm::dvec3(m[3]) * labels.grid.spacing_mm, far_mm = glm::dvec3(m * glm::dvec4(30.0, 100.0, 0.0, 1.0));
   place_ = hashOf(glm::ivec3(glm::floor(face_mm / kSamePlace_mm))) ^
            spread(hashOf(glm::ivec3(glm::floor(far_mm * labels.grid.spacing_mm / kSamePlace_mm))));
-  const auto lines = static_cast<int>(fronts_.size());
-  bands.run(lines, [&](int first, int count, int) {
-    for (int line = first; line < first + count; ++line) {
-      const BeamGrid::Line& way = layout_->grid.lines[static_cast<std::size_t>(line)];
-      const glm::vec3 start(m * glm::dvec4(way.origin_mm, 0.0, 1.0)), perMm(m * glm::dvec4(way.direction, 0.0, 0.0));
-      Front& front = fronts_[static_cast<std::size_t>(line)] = {};
-      float before = 0.0F;
-      for (int step = 0; step * kStep_mm < layout_->depth_mm; ++step) {
-        const auto range_mm = static_cast<float>(step * kStep_mm);
-        glm::vec3 place = start + range_mm * perMm;
-        if (motion.moves()) place += motion.backOn(back_, line, range_mm);
-        blend.announce(place + 4.0F * perMm);
-        float gas = 0.0F, lung = 0.0F;
-        blend.at(place, gas, lung);
-        const float here = gas + lung;
-        if (here < 0.5F) {
-          before = here;
-          continue;
-        }
-        const double share = step == 0 ? 0.0 : static_cast<double>((here - 0.5F) / (here - before));
-        front.range_mm = (step - share) * kStep_mm;
-        front.isLung = lung > gas;
-        const glm::vec3 back = static_cast<float>(share * kStep_mm) * perMm;
-        front.patch = hashOf(glm::ivec3(glm::floor(glm::dvec3(place - back) * labels.grid.spacing_mm / kPatch_mm)));
-        break;
-      }
-    }
+  ways_.lay(layout_->grid, m);
+  bands.run(static_cast<int>(fronts_.size()), [&](int first, int count, int) {
+    for (int line = first; line < first + count; line += kSearched)
+      findFronts(blend, motion, line, std::min(kSearched, first + count - line));
   });
+}
+
+/// Of neighbouring lines, step by step, until each has met its front.
+void EchoReverberation::findFronts(const LabelBlend& blend, const EchoMotion& motion, int first, int count) {
+  std::array<float, kSearched> gas{}, lung{}, before{};
+  std::fill_n(fronts_.begin() + first, count, Front{});
+  int left = count;
+  for (int step = 0; left > 0 && step * kStep_mm < layout_->depth_mm; ++step) {
+    const auto range_mm = static_cast<float>(step * kStep_mm);
+    const EchoMotion::RowsAround back = motion.rowsAround(back_, range_mm);
+    blendRow(blend, {ways_, glm::vec3(0.0F), range_mm, back}, first, count, gas.data(), lung.data());
+    for (int n = 0; n < count; ++n) {
+      const auto lane = static_cast<std::size_t>(n);
+      const float here = gas[lane] + lung[lane], last = before[lane];
+      before[lane] = here;
+      Front& front = fronts_[static_cast<std::size_t>(first + n)];
+      if (here < 0.5F || front.range_mm >= 0.0) continue;
+      const double share = step == 0 ? 0.0 : static_cast<double>((here - 0.5F) / (here - last));
+      front.range_mm = (step - share) * kStep_mm;
+      front.isLung = lung[lane] > gas[lane];
+      const glm::vec3 perMm = ways_.perMmOf(first + n);
+      glm::vec3 place = ways_.startOf(first + n) + range_mm * perMm;
+      if (back.near != nullptr) place += back.at(first + n);
+      place -= static_cast<float>(share * kStep_mm) * perMm;
+      front.patch = hashOf(glm::ivec3(glm::floor(glm::dvec3(place) * blend.labels.grid.spacing_mm / kPatch_mm)));
+      --left;
+    }
+  }
 }
 
 void EchoReverberation::add(int line, std::span<float> field, std::vector<float>& before) const {

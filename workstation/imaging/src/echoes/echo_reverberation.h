@@ -8,6 +8,7 @@
 #include "echo_motion.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/slice_source.h"
+#include "label_rows.h"
 
 namespace ew::detail {
 
@@ -54,6 +55,7 @@ class EchoReverberation {
     int column = 0;
     float amplitude = 0.0F;
   };
+  void findFronts(const LabelBlend& blend, const EchoMotion& motion, int first, int count);
   [[nodiscard]] Echo frontEcho(const Front& front, const float* before) const;
   void ringDown(int line, const Echo& echo, std::span<float> field) const;
   /// One patch, from the front on: `first` of its echo, falling.
@@ -77,6 +79,7 @@ class EchoReverberation {
     int quarter = 0;  ///< of a turn
   };
   std::vector<Copy> copies_;     ///< by line, the copies of clutter one after another; none where there is none
+  LineWays ways_;                ///< scratch: in voxels of the labels
   std::vector<glm::vec3> back_;  ///< scratch: as EchoMotion::rowsOf gives it
 };
 

@@ -8,6 +8,7 @@
 #define HWY_TARGET_INCLUDE "echoes/scatterers.cpp"
 #include "hwy/foreach_target.h"
 //
+#include "echoes/bytes-inl.h"
 #include "effects/powers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,7 +16,7 @@ namespace ew::detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-using namespace ew::HWY_NAMESPACE;  // powers-inl.h
+using namespace ew::HWY_NAMESPACE;  // bytes-inl.h, powers-inl.h
 
 using D = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<D>;
@@ -41,24 +42,6 @@ template <int kShift>
 HWY_INLINE F placeOf(U hash) {
   const auto bits = hn::And(hn::ShiftRight<kShift>(hash), hn::Set(DU(), 1023U));
   return times(plus(hn::ConvertTo(D(), hn::BitCast(DI(), bits)), set(0.5F)), set(1.0F / 1024.0F));
-}
-
-/// Four bytes from each place; lanes beyond `last` take the bytes that end there and shift them.
-HWY_INLINE I bytesAt(const std::uint8_t* from, I offset, std::int32_t last) {
-  const DI di;
-  const auto safe = hn::Min(offset, hn::Set(di, last));
-#if HWY_TARGET <= HWY_AVX2
-  const auto word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(from), safe);
-#else
-  HWY_ALIGN std::int32_t offsets[hn::MaxLanes(di)], words[hn::MaxLanes(di)];
-  hn::Store(safe, di, offsets);
-  for (std::size_t n = 0; n < hn::Lanes(di); ++n) std::memcpy(&words[n], from + offsets[n], sizeof(words[n]));
-  const auto word = hn::Load(di, words);
-#endif
-  const auto beyond = hn::Sub(offset, safe);
-  if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(beyond, hn::Zero(di))))) return word;
-  const DU du;
-  return hn::BitCast(di, hn::Shr(hn::BitCast(du, word), hn::BitCast(du, hn::ShiftLeft<3>(hn::Min(beyond, hn::Set(di, 3))))));
 }
 
 /// The first two of four bytes, blended.
@@ -153,7 +136,7 @@ HWY_INLINE F levelAt(const ScatterTask& task, const ScatterBlock& block, const s
       hn::Add(hn::Sub(wholeI, hn::Set(di, base.x)), hn::Add(hn::Mul(hn::Sub(wholeJ, hn::Set(di, base.y)), hn::Set(di, row)),
                                                             hn::Mul(hn::Sub(wholeK, hn::Set(di, base.z)), hn::Set(di, plane))));
   const auto safe = hn::IfThenZeroElse(missed, offset);
-  const auto at = [&](std::int32_t more) { return blendBytes(bytesAt(from, hn::Add(safe, hn::Set(di, more)), last), tx); };
+  const auto at = [&](std::int32_t more) { return blendBytes(bytesAt(di, from, hn::Add(safe, hn::Set(di, more)), last), tx); };
   const auto near = at(0), far = at(plane);
   const auto nearer = plus(near, times(hn::Sub(at(row), near), ty));
   const auto farther = plus(far, times(hn::Sub(at(row + plane), far), ty));
@@ -192,11 +175,7 @@ HWY_INLINE void deposit(const ScatterTask& task, hn::Mask<D> inside, I cell, F p
   hn::Store(cell, di, cells);
   hn::StoreInterleaved4(roundedOf(hn::Sub(re, laterRe)), roundedOf(hn::Sub(im, laterIm)), roundedOf(laterRe), roundedOf(laterIm), di,
                         quads);
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(d, inside, bits);
-  std::uint64_t left = 0;
-  std::memcpy(&left, bits, sizeof(left));
-  for (; left != 0; left &= left - 1) {
+  for (std::uint64_t left = bitsOf(d, inside); left != 0; left &= left - 1) {
     const auto n = static_cast<std::size_t>(__builtin_ctzll(left));
     std::int32_t* at = task.field + cells[n];
     __builtin_prefetch(at, 1);
