@@ -62,6 +62,16 @@ class EchoMotion {
     float part = 0.0F;  ///< of the way to the next
     [[nodiscard]] glm::vec3 at(int line) const { return near[line] + part * (next[line] - near[line]); }
   };
+  /// Of rowsOf, as vector code reads them.
+  struct Rows {
+    const glm::vec3* first = nullptr;  ///< null: nothing moves
+    int lines = 0, knots = 0;
+    float perKnot = 0.0F;     ///< of a mm
+    float deepest_mm = 0.0F;  ///< from there on nothing moves
+  };
+  [[nodiscard]] Rows asRows(const std::vector<glm::vec3>& rows) const {
+    return moves() ? Rows{rows.data(), lines_, knots_, perKnot_, deepest_mm_} : Rows{};
+  }
   [[nodiscard]] RowsAround rowsAround(const std::vector<glm::vec3>& rows, float range_mm) const {
     if (!moves() || range_mm >= deepest_mm_) return {};
     const float at = range_mm * perKnot_;

@@ -96,10 +96,8 @@ struct ElevationRay {
 // exp(-x^2 / 2) at 0 and 0.9 standard deviations; together 1.
 constexpr std::array<ElevationRay, 3> kRays{{{0.0F, 0.4284F}, {-0.9F, 0.2858F}, {0.9F, 0.2858F}}};
 
-constexpr float kFine_mm = 0.3F;    // steps across a surface
-constexpr float kClose_mm = 0.35F;  // from here on steps are fine
-constexpr float kTrust = 0.85F;     // of a distance, which is first order, and between voxels
-constexpr double kGrain_mm = 4.5;   // of unevenness
+constexpr int kSideBySide = 16;    // lines that are walked together
+constexpr double kGrain_mm = 4.5;  // of unevenness
 constexpr int kMostSheets = 4;
 constexpr double kNextSheet = 0.75;  // as strong as the one in front of it
 constexpr double kDecibelPerLevel = 60.0 / 255.0;
@@ -197,59 +195,60 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
   if (motion.moves())
     for (std::size_t ray = 0; ray < kRays.size(); ++ray)
       motion.rowsOf(static_cast<double>(kRays[ray].sigmas), glm::mat3(map.probeToVoxel), bands, back_[ray]);
-  bands.run(static_cast<int>(layout_->grid.lines.size()), [&](int first, int count, int) {
-    for (int line = first; line < first + count; ++line)
-      motion.moves() ? addLine<true>(line, map, motion, fine, stride) : addLine<false>(line, map, motion, fine, stride);
+  const auto lines = static_cast<int>(layout_->grid.lines.size());
+  ways_.resize(layout_->grid.lines.size());
+  for (std::size_t line = 0; line < layout_->grid.lines.size(); ++line) {
+    const BeamGrid::Line& way = layout_->grid.lines[line];
+    ways_.set(line, glm::vec3(map.probeToVoxel * glm::vec4(way.origin_mm, 0.0F, 1.0F)),
+              glm::mat3(map.probeToVoxel) * glm::vec3(way.direction, 0.0F));
+  }
+  found_.resize(static_cast<std::size_t>(bands.threads()));
+  bands.runEach((lines + kSideBySide - 1) / kSideBySide, [&](int group, int slot) {
+    const int first = group * kSideBySide;
+    addLines(first, std::min(kSideBySide, lines - first), map, motion, found_[static_cast<std::size_t>(slot)], fine, stride);
   });
 }
 
-template <bool kMoves>
-void EchoSurfaces::addLine(int line, const SurfaceMap& map, const EchoMotion& motion, std::int32_t* fine, std::ptrdiff_t stride) const {
-  const BeamGrid::Line& way = layout_->grid.lines[static_cast<std::size_t>(line)];
-  const glm::vec3 start(map.probeToVoxel * glm::vec4(way.origin_mm, 0.0F, 1.0F)),
-      perMm(glm::mat3(map.probeToVoxel) * glm::vec3(way.direction, 0.0F));
+void EchoSurfaces::addLines(int first, int count, const SurfaceMap& map, const EchoMotion& motion, std::vector<SurfaceCrossing>& found,
+                            std::int32_t* fine, std::ptrdiff_t stride) const {
+  const ByteMap distances(map.maps.surfaceDistance.data(), map.maps.grid.dims);
   const glm::vec3 aside(map.probeToVoxel[2]);
-  const auto depth_mm = static_cast<float>(layout_->depth_mm);
   for (std::size_t n = 0; n < kRays.size(); ++n) {
     const ElevationRay& ray = kRays[n];
-    const auto voxelAt = [&](float range_mm) {
-      const glm::vec3 straight = start + range_mm * perMm + ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)] * aside;
-      if constexpr (!kMoves) return straight;
-      return straight + motion.backOn(back_[n], line, range_mm);
-    };
-    // As the surface lies now: tissue that gives way turns it.
-    const auto slopeAt = [&](float range_mm, const glm::vec3& at) {
-      const glm::vec3 rest = map.slopeAt(at) / static_cast<float>(TissueMaps::kDistanceStepsPerMm);
-      if constexpr (!kMoves) return rest;
-      if (!motion.isPressed(range_mm)) return rest;
-      const auto lines = static_cast<int>(layout_->grid.lines.size());
-      const auto distanceOn = [&](int other, float there_mm) {
-        const BeamGrid::Line& its = layout_->grid.lines[static_cast<std::size_t>(other)];
-        const glm::vec3 place(glm::vec2(its.origin_mm) + there_mm * glm::vec2(its.direction),
-                              ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)]);
-        return map.distanceAt(glm::vec3(map.probeToVoxel * glm::vec4(place, 1.0F)) + motion.backOn(back_[n], other, there_mm));
-      };
-      const int low = std::max(line - 1, 0), high = std::min(line + 1, lines - 1);
-      if (low == high) return rest;
-      const float down = distanceOn(line, range_mm + kFine_mm) - distanceOn(line, std::max(range_mm - kFine_mm, 0.0F));
-      const float across = distanceOn(high, range_mm) - distanceOn(low, range_mm);
-      if (std::isnan(down) || std::isnan(across)) return rest;
-      const auto aside_mm = static_cast<float>((high - low) * layout_->grid.lineSpacing_mm(static_cast<double>(range_mm)));
-      const glm::vec2 alongLine(way.direction);
-      return glm::vec3(down / (2.0F * kFine_mm) * alongLine + across / aside_mm * glm::vec2(alongLine.y, -alongLine.x), rest.z);
-    };
-    float before = SurfaceMap::kUnknown;
-    for (float range_mm = 0.0F, step_mm = 0.0F; range_mm < depth_mm; range_mm += step_mm) {
-      const float last_mm = step_mm, last = before, here = map.distanceAt(voxelAt(range_mm));
-      before = here;
-      step_mm = std::isnan(here) ? map.blind_mm : std::abs(here) > kClose_mm ? std::max(kTrust * std::abs(here), kFine_mm) : kFine_mm;
-      // Not a number compares false. A jump between two surfaces is no crossing.
-      if (!(here * last <= 0.0F && std::abs(here - last) < 1.4F * last_mm && here != last)) continue;
-      const float met_mm = range_mm - last_mm * here / (here - last);
-      const glm::vec3 at = voxelAt(met_mm);
-      meet(line, met_mm, here < last, ray.weight, map, at, slopeAt(met_mm, at), fine, stride);
+    found.clear();
+    findCrossings({ways_, aside, ray.sigmas, elevation_mm_.data(), distances, motion.asRows(back_[n]),
+                   static_cast<float>(layout_->depth_mm), map.blind_mm},
+                  first, count, found);
+    for (const SurfaceCrossing& crossing : found) {
+      const float range_mm = crossing.range_mm, off = ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)];
+      const glm::vec3 straight = ways_.startOf(crossing.line) + range_mm * ways_.perMmOf(crossing.line) + off * aside;
+      const glm::vec3 at = straight + motion.backOn(back_[n], crossing.line, range_mm);
+      meet(crossing.line, range_mm, crossing.isEntering, ray.weight, map, at, slopeAt(n, crossing.line, range_mm, map, at, motion), fine,
+           stride);
     }
   }
+}
+
+/// As the surface lies now: tissue that gives way turns it.
+glm::vec3 EchoSurfaces::slopeAt(std::size_t ray, int line, float range_mm, const SurfaceMap& map, const glm::vec3& at,
+                                const EchoMotion& motion) const {
+  const glm::vec3 rest = map.slopeAt(at) / static_cast<float>(TissueMaps::kDistanceStepsPerMm);
+  if (!motion.isPressed(range_mm)) return rest;
+  const float off_mm = kRays[ray].sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)];
+  const auto distanceOn = [&](int other, float there_mm) {
+    const BeamGrid::Line& its = layout_->grid.lines[static_cast<std::size_t>(other)];
+    const glm::vec3 place(glm::vec2(its.origin_mm) + there_mm * glm::vec2(its.direction), off_mm);
+    return map.distanceAt(glm::vec3(map.probeToVoxel * glm::vec4(place, 1.0F)) + motion.backOn(back_[ray], other, there_mm));
+  };
+  const auto lines = static_cast<int>(layout_->grid.lines.size());
+  const int low = std::max(line - 1, 0), high = std::min(line + 1, lines - 1);
+  if (low == high) return rest;
+  const float down = distanceOn(line, range_mm + kFineStep_mm) - distanceOn(line, std::max(range_mm - kFineStep_mm, 0.0F));
+  const float across = distanceOn(high, range_mm) - distanceOn(low, range_mm);
+  if (std::isnan(down) || std::isnan(across)) return rest;
+  const auto aside_mm = static_cast<float>((high - low) * layout_->grid.lineSpacing_mm(static_cast<double>(range_mm)));
+  const glm::vec2 alongLine(layout_->grid.lines[static_cast<std::size_t>(line)].direction);
+  return glm::vec3(down / (2.0F * kFineStep_mm) * alongLine + across / aside_mm * glm::vec2(alongLine.y, -alongLine.x), rest.z);
 }
 
 void EchoSurfaces::meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at,

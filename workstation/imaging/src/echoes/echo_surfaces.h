@@ -9,6 +9,7 @@
 #include "ew/imaging/bands.h"
 #include "ew/imaging/tissue_maps.h"
 #include "scatterers.h"
+#include "surface_rows.h"
 
 namespace ew::detail {
 
@@ -41,8 +42,10 @@ class EchoSurfaces {
                     std::ptrdiff_t stride) const;
 
  private:
-  template <bool kMoves>
-  void addLine(int line, const SurfaceMap& map, const EchoMotion& motion, std::int32_t* fine, std::ptrdiff_t stride) const;
+  void addLines(int first, int count, const SurfaceMap& map, const EchoMotion& motion, std::vector<SurfaceCrossing>& found,
+                std::int32_t* fine, std::ptrdiff_t stride) const;
+  [[nodiscard]] glm::vec3 slopeAt(std::size_t ray, int line, float range_mm, const SurfaceMap& map, const glm::vec3& at,
+                                  const EchoMotion& motion) const;
   /// @param at voxel @param slope of the distance there, in the probe frame
   void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at, const glm::vec3& slope,
             std::int32_t* fine, std::ptrdiff_t stride) const;
@@ -51,9 +54,11 @@ class EchoSurfaces {
   void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;
 
   const EchoLayout* layout_ = nullptr;
-  std::vector<float> elevation_mm_;             ///< one standard deviation, by whole mm of depth
-  std::vector<float> scale_;                    ///< by column: of a surface's amplitude, to what is added to each row
-  std::array<std::vector<glm::vec3>, 3> back_;  ///< by ray: EchoMotion::rowsOf, in voxels
+  std::vector<float> elevation_mm_;                  ///< one standard deviation, by whole mm of depth
+  std::vector<float> scale_;                         ///< by column: of a surface's amplitude, to what is added to each row
+  LineWays ways_;                                    ///< in voxels
+  std::array<std::vector<glm::vec3>, 3> back_;       ///< by ray: EchoMotion::rowsOf, in voxels
+  std::vector<std::vector<SurfaceCrossing>> found_;  ///< scratch memory, by thread
 };
 
 }  // namespace ew::detail
