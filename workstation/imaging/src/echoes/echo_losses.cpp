@@ -74,6 +74,7 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
   const glm::dmat4& m = probeToLabel.matrix;
   ways_.lay(layout_->grid, m);
   const glm::vec3 aside(m[2]);
+  const auto ahead_mm = static_cast<float>(2.0 * step_mm_);
   if (motion.moves())
     for (std::size_t p = 0; p < kPlanes; ++p) motion.rowsOf(static_cast<double>(kAside[p]), glm::mat3(m), bands, back_[p]);
   findSkin(level, glm::mat4(probeToLevel.matrix * glm::inverse(m)), motion);
@@ -85,8 +86,8 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
         const glm::vec3 offset = kAside[static_cast<std::size_t>(p)] * elevation_mm_[static_cast<std::size_t>(s)] * aside;
         float* own = own_db_.data() + indexOf(p, s);
         float* reflection = reflection_.data() + indexOf(p, s);
-        blendRow(blend, {ways_, offset, depth_mm, motion.rowsAround(back_[static_cast<std::size_t>(p)], depth_mm)}, 0, lines_, own,
-                 reflection);
+        blendRow(blend, {ways_, offset, depth_mm, ahead_mm, motion.rowsAround(back_[static_cast<std::size_t>(p)], depth_mm)}, 0, lines_,
+                 own, reflection);
         if (s == 0) {
           std::fill_n(own, lines_, 0.0F);
         } else if (const auto stepStart_mm = static_cast<float>((s - 1) * step_mm_); stepStart_mm < kMostGel_mm) {

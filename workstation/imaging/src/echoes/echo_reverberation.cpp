@@ -139,7 +139,7 @@ void EchoReverberation::findFronts(const LabelBlend& blend, const EchoMotion& mo
   for (int step = 0; left > 0 && step * kStep_mm < layout_->depth_mm; ++step) {
     const auto range_mm = static_cast<float>(step * kStep_mm);
     const EchoMotion::RowsAround back = motion.rowsAround(back_, range_mm);
-    blendRow(blend, {ways_, glm::vec3(0.0F), range_mm, back}, first, count, gas.data(), lung.data());
+    blendRow(blend, {ways_, glm::vec3(0.0F), range_mm, 4.0F, back}, first, count, gas.data(), lung.data());
     for (int n = 0; n < count; ++n) {
       const auto lane = static_cast<std::size_t>(n);
       const float here = gas[lane] + lung[lane], last = before[lane];

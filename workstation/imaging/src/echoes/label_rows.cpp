@@ -31,6 +31,25 @@ HWY_INLINE void placesOf(D d, const RowOfPlaces& places, int line, std::array<hn
     place[a] = hn::Add(place[a], hn::Add(near[a], hn::Mul(hn::Set(d, places.back.part), hn::Sub(next[a], near[a]))));
 }
 
+/// Asks for the voxels that a depth farther down will read.
+template <class D>
+HWY_INLINE void announce(D d, const ByteMap& map, const RowOfPlaces& places, int line, std::array<hn::Vec<D>, 3> p) {
+  const hn::RebindToSigned<D> di;
+  for (std::size_t a = 0; a < p.size(); ++a)
+    p[a] = hn::Add(p[a], hn::Mul(hn::LoadU(d, places.ways.perMm[a].data() + line), hn::Set(d, places.ahead_mm)));
+  const auto inside = isInside(d, map, p);
+  const auto wholeOf = [&](std::size_t axis) HWY_ATTR { return hn::ConvertTo(di, hn::IfThenElseZero(inside, p[axis])); };
+  HWY_ALIGN std::int32_t at[3][hn::MaxLanes(di)];
+  for (std::size_t axis = 0; axis < p.size(); ++axis) hn::Store(wholeOf(axis), di, at[axis]);
+  for (std::size_t n = 0; n < hn::Lanes(d); ++n) {
+    const std::uint8_t* first = map.first + at[0][n] + map.row * at[1][n] + map.plane * at[2][n];
+    __builtin_prefetch(first);
+    __builtin_prefetch(first + map.row);
+    __builtin_prefetch(first + map.plane);
+    __builtin_prefetch(first + map.row + map.plane);
+  }
+}
+
 /// Where all eight voxels are of one label, as most are, its numbers; elsewhere each lane asks for itself.
 template <class D>
 HWY_INLINE void blendLanes(D d, const LabelBlend& blend, const ByteMap& map, const RowOfPlaces& places, int line, float* ownAt,
@@ -44,6 +63,7 @@ HWY_INLINE void blendLanes(D d, const LabelBlend& blend, const ByteMap& map, con
     hn::StoreU(hn::Set(d, blend.reflection[0]), d, reflectionAt);
     return;
   }
+  announce(d, map, places, line, p);
   const auto wholeOf = [&](std::size_t axis) HWY_ATTR { return hn::ConvertTo(di, hn::IfThenElseZero(inside, p[axis])); };
   const auto pairs = pairsAround(di, map, wholeOf(0), wholeOf(1), wholeOf(2));
   const auto label = hn::And(pairs[0], hn::Set(di, 0xFF)), even = hn::Or(label, hn::ShiftLeft<8>(label));

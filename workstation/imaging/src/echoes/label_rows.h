@@ -38,6 +38,7 @@ struct RowOfPlaces {
   const LineWays& ways;
   glm::vec3 offset_voxel{0.0F};
   float range_mm = 0.0F;
+  float ahead_mm = 0.0F;        ///< so far below it, voxels are asked for already
   EchoMotion::RowsAround back;  ///< in voxels
 };
 
