@@ -25,6 +25,9 @@ struct Piece {
   double reach_mm = 0.0;   ///< beside the slice's middle
   double beside_mm = 0.0;  ///< seen beyond the outermost lines
   std::array<FanShape::Line, 2> outermost{};
+  // Of the fan, for every block.
+  double tangent = 0.0, cosine = 1.0;  ///< of the steering
+  double halfAngleSine = 0.0, halfAngleCosine = 1.0;
 };
 
 /// How far the middle of a block may lie from one of its cells, along each axis of the probe frame and in any direction.
@@ -56,6 +59,10 @@ Piece pieceOf(const EchoLayout& layout, const BlockSize& size, int number) {
   const EchoBeams& beams = layout.beams;
   piece.reach_mm = layout.effect.reach * std::max(beams.elevationalSigma_mm(shallow_mm), beams.elevationalSigma_mm(deep_mm));
   piece.beside_mm = kLateralMargin * std::max(beams.lateralSigma_mm(deep_mm), beams.lateralSigma_mm(shallow_mm));
+  piece.tangent = std::tan(layout.fan.steering_rad);
+  piece.cosine = std::cos(layout.fan.steering_rad);
+  piece.halfAngleSine = std::sin(layout.fan.halfAngle_rad);
+  piece.halfAngleCosine = std::cos(layout.fan.halfAngle_rad);
   piece.outermost = {layout.fan.lineAt(-1.0), layout.fan.lineAt(1.0)};
   for (int n = 0; n < kAngles; ++n) {
     const FanShape::Line line = layout.fan.lineAt(2.0 * n / (kAngles - 1) - 1.0);
@@ -76,14 +83,16 @@ Piece pieceOf(const EchoLayout& layout, const BlockSize& size, int number) {
 
 /// Whether the middle of a block lies in the piece's ranges, and the block may touch its lines.
 bool belongs(const FanShape& fan, const Piece& piece, const glm::dvec3& p_mm, double radius_mm) {
+  if (fan.kind == FanShape::Kind::parallel) {  // as placeOf has it
+    const double across = (p_mm.x - p_mm.y * piece.tangent) / fan.halfWidth_mm, depth_mm = p_mm.y / piece.cosine;
+    return depth_mm >= piece.nearest_mm && depth_mm < piece.farthest_mm &&
+           (std::abs(across) - 1.0) * fan.halfWidth_mm < (piece.beside_mm + radius_mm) / piece.cosine;
+  }
   const double y_mm = p_mm.y + fan.apexToFace_mm;
   // Without the angle, which only placeOf needs.
   const bool isArc = fan.kind == FanShape::Kind::sector && fan.steering_rad == 0.0;
   const double depth_mm = isArc ? std::sqrt(p_mm.x * p_mm.x + y_mm * y_mm) - fan.apexToFace_mm : fan.placeOf(glm::dvec2(p_mm)).depth_mm;
   if (depth_mm < piece.nearest_mm || depth_mm >= piece.farthest_mm) return false;
-  if (fan.kind == FanShape::Kind::parallel)
-    return (std::abs(fan.placeOf(glm::dvec2(p_mm)).across) - 1.0) * fan.halfWidth_mm <
-           (piece.beside_mm + radius_mm) / std::cos(fan.steering_rad);
   if (fan.kind == FanShape::Kind::sector && !isArc) {
     const auto rightOf_mm = [&](const FanShape::Line& line) {
       const glm::dvec2 from_mm = glm::dvec2(p_mm) - line.origin_mm;
@@ -93,7 +102,7 @@ bool belongs(const FanShape& fan, const Piece& piece, const glm::dvec3& p_mm, do
     return fan.halfAngle_rad + std::abs(fan.steering_rad) > 0.5 * std::numbers::pi || beyond_mm < radius_mm + piece.beside_mm;
   }
   // Distance beyond the outermost line, as far as it is a straight one.
-  const double beyond_mm = std::abs(p_mm.x) * std::cos(fan.halfAngle_rad) - y_mm * std::sin(fan.halfAngle_rad);
+  const double beyond_mm = std::abs(p_mm.x) * piece.halfAngleCosine - y_mm * piece.halfAngleSine;
   return fan.halfAngle_rad > 0.5 * std::numbers::pi || beyond_mm < radius_mm + piece.beside_mm;
 }
 
