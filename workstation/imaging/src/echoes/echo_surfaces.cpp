@@ -139,6 +139,12 @@ struct Hashed {
   }
 };
 
+/// sin(2 pi turns) of 0 <= turns < 1 to 0.0012.
+double nearlySineOf(double turns) {
+  const double part = turns - 0.5, parabola = -8.0 * part * (1.0 - 2.0 * std::abs(part));
+  return parabola * (0.775 + 0.225 * std::abs(parabola));
+}
+
 /// Between 0 and 1, smooth, fixed in the tissue.
 double unevenAt(const glm::dvec3& mm) {
   const glm::dvec3 cell = mm / kGrain_mm, whole = glm::floor(cell);
@@ -318,27 +324,34 @@ void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragm
   const double share = layout_->effect.fragmentsPerCm3 * 1e-3 * kFragmentCell_mm * kFragmentCell_mm * kFragmentCell_mm;
   const FanShape& fan = layout_->fan;
   const double middleLine = 0.5 * static_cast<double>(layout_->grid.lines.size() - 1);
+  const glm::dmat3 toProbe(fragments.cellToProbe);
+  const double cell2_mm2 = glm::dot(toProbe[0], toProbe[0]);  // of a cell's edge, the same along each
   for (const ScatterBlock& block : blocks) {
     Hashed hashed(hashOf(glm::ivec3(block.cell[0], block.cell[1], block.cell[2])));
     if (hashed.even() >= share) continue;
     // Its direction first: most do not lie square to the beam.
-    const double height = 2.0 * hashed.even() - 1.0, turn = 2.0 * std::numbers::pi * hashed.even();
+    const double height = 2.0 * hashed.even() - 1.0, turns = hashed.even();
     const double flat = std::sqrt(1.0 - height * height);
     glm::dvec3 cell(hashed.even(), hashed.even(), hashed.even());
     const glm::dvec3 firstCell(block.cell[0], block.cell[1], block.cell[2]);
     cell = cell * double{kBlockCells} + firstCell;
+    const glm::ivec3 voxel(glm::floor(cell * fragments.voxelsPerCell + 0.5));
+    if (!level.grid.contains(voxel)) continue;
+    const std::uint8_t around = level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)];
+    if (around < kFaintestTissue) continue;
     const glm::dvec3 moved_mm = glm::dvec3(block.shift_mm) + glm::dmat3(stretchOf(block)) * (cell - firstCell);
     const glm::dvec3 at_mm = glm::dvec3(fragments.cellToProbe * glm::dvec4(cell, 1.0)) + moved_mm;
     const glm::dvec2 way = fan.directionThrough(glm::dvec2(at_mm));
-    const glm::dvec3 normal =
-        glm::normalize(glm::dmat3(fragments.cellToProbe) * glm::dvec3(flat * std::cos(turn), flat * std::sin(turn), height));
+    // Most are far too steep, which needs no exact angle.
+    const glm::dvec3 nearly(flat * nearlySineOf(turns < 0.75 ? turns + 0.25 : turns - 0.75), flat * nearlySineOf(turns), height);
+    if (const double slant = glm::dot(glm::dvec2(toProbe * nearly), way); slant * slant < (1.0 - kSteepestFragment - 0.02) * cell2_mm2)
+      continue;
+    const double turn = 2.0 * std::numbers::pi * turns;
+    const glm::dvec3 normal = glm::normalize(toProbe * glm::dvec3(flat * std::cos(turn), flat * std::sin(turn), height));
     const double cosine = glm::dot(glm::dvec2(normal), way), sine2 = std::max(0.0, 1.0 - cosine * cosine);
     if (sine2 > kSteepestFragment) continue;
     const FanShape::Place place = fan.placeOf(glm::dvec2(at_mm));
-    const glm::ivec3 voxel(glm::floor(cell * fragments.voxelsPerCell + 0.5));
-    if (!level.grid.contains(voxel) || !(place.depth_mm > 0.0 && place.depth_mm < layout_->depth_mm)) continue;
-    const std::uint8_t around = level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)];
-    if (around < kFaintestTissue) continue;
+    if (!(place.depth_mm > 0.0 && place.depth_mm < layout_->depth_mm)) continue;
 
     const double radius_mm = 0.5 * kFragmentScale_mm * -std::log(std::max(hashed.even() * hashed.even(), 1e-6));
     const double more_db = layout_->effect.fragment_db + kFragmentSpread_db * hashed.normal();
