@@ -221,8 +221,10 @@ void EchoReverberation::ring(std::uint32_t key, double first, double fall_dbPerM
     const double away_mm = (column - echo.column) * sampleSpacing_mm;
     // It rises over the front's own echo.
     const double rise = std::min(1.0, away_mm / 0.8);
-    const double stripe =
-        kStripeFloor + (1.0 - kStripeFloor) * std::max(0.0, std::cos(2.0 * std::numbers::pi * (away_mm / stripe_mm + phase)));
+    const double turns = away_mm / stripe_mm + phase, part = turns - std::floor(turns);
+    // Where the wave is surely below 0 nobody asks how far.
+    const double wave = part > 0.26 && part < 0.74 ? 0.0 : std::max(0.0, std::cos(2.0 * std::numbers::pi * turns));
+    const double stripe = kStripeFloor + (1.0 - kStripeFloor) * wave;
     const auto strength = static_cast<float>(rise * stripe * amplitude);
     const std::uint32_t hash = spread(key + static_cast<std::uint32_t>(column - echo.column) * 0x85EBCA77U);
     field[static_cast<std::size_t>(2 * column)] += strength * normalOf(hash);
