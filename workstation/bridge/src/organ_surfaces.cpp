@@ -21,6 +21,7 @@
 #include <cstring>
 
 #include "ew/bridge/convert.h"
+#include "ew/core/contract.h"
 
 namespace ew::bridge {
 namespace {
@@ -66,9 +67,7 @@ vtkSmartPointer<vtkImageData> alone(const Volume& labels, const Box& box, int la
     for (int j = box.lowest.y; j < box.lowest.y + box.size.y; ++j)
       for (int i = box.lowest.x; i < box.lowest.x + box.size.x; ++i, ++to) {
         const bool inside = i >= 0 && j >= 0 && k >= 0 && i < dims.x && j < dims.y && k < dims.z;
-        const std::size_t at = (static_cast<std::size_t>(k) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(j)) *
-                                   static_cast<std::size_t>(dims.x) +
-                               static_cast<std::size_t>(i);
+        const std::size_t at = sampleIndex(dims, i, j, k);
         *to = inside && labels.echo[at] == label ? 1 : 0;
       }
   return image;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ew/core/volume.h"
 #include "ew/labelling/labels.h"
 
 namespace ew::labelling {
@@ -10,10 +11,7 @@ namespace ew::labelling {
 template <class T>
 class Block {
  public:
-  explicit Block(const VoxelBox& box)
-      : box_(box),
-        size_(box.end - box.first),
-        values_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z)) {}
+  explicit Block(const VoxelBox& box) : box_(box), size_(box.end - box.first), values_(samplesIn(size_)) {}
   [[nodiscard]] const VoxelBox& box() const { return box_; }
   [[nodiscard]] const glm::ivec3& size() const { return size_; }
   [[nodiscard]] bool contains(const glm::ivec3& ijk) const {
@@ -21,9 +19,7 @@ class Block {
   }
   [[nodiscard]] std::size_t indexOf(const glm::ivec3& ijk) const {
     const glm::ivec3 at = ijk - box_.first;
-    return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(at.y)) *
-               static_cast<std::size_t>(size_.x) +
-           static_cast<std::size_t>(at.x);
+    return sampleIndex(size_, at.x, at.y, at.z);
   }
   [[nodiscard]] T& operator[](const glm::ivec3& ijk) { return values_[indexOf(ijk)]; }
   [[nodiscard]] const T& operator[](const glm::ivec3& ijk) const { return values_[indexOf(ijk)]; }

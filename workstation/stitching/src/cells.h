@@ -18,16 +18,8 @@ struct CellBox {
   glm::ivec3 begin{0};
   glm::ivec3 end{0};
   [[nodiscard]] glm::ivec3 size() const { return glm::max(end - begin, glm::ivec3(0)); }
-  [[nodiscard]] std::size_t count() const {
-    const glm::ivec3 s = size();
-    return static_cast<std::size_t>(s.x) * static_cast<std::size_t>(s.y) * static_cast<std::size_t>(s.z);
-  }
-  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const {
-    const glm::ivec3 s = size();
-    return (static_cast<std::size_t>(k - begin.z) * static_cast<std::size_t>(s.y) + static_cast<std::size_t>(j - begin.y)) *
-               static_cast<std::size_t>(s.x) +
-           static_cast<std::size_t>(i - begin.x);
-  }
+  [[nodiscard]] std::size_t count() const { return samplesIn(size()); }
+  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const { return sampleIndex(size(), i - begin.x, j - begin.y, k - begin.z); }
   [[nodiscard]] bool contains(int i, int j, int k) const {
     return i >= begin.x && j >= begin.y && k >= begin.z && i < end.x && j < end.y && k < end.z;
   }

@@ -23,7 +23,7 @@ GridFlow::GridFlow(const glm::ivec3& size)
                                  padded_.x,
                                  -static_cast<std::ptrdiff_t>(padded_.x) * padded_.y,
                                  static_cast<std::ptrdiff_t>(padded_.x) * padded_.y} {
-  const auto nodes = static_cast<std::size_t>(padded_.x) * static_cast<std::size_t>(padded_.y) * static_cast<std::size_t>(padded_.z);
+  const auto nodes = samplesIn(padded_);
   capacity_.assign(nodes * 6, 0);
   terminal_.assign(nodes, 0);
   distance_.assign(nodes, 0);

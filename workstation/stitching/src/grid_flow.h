@@ -6,6 +6,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "ew/core/volume.h"
+
 namespace ew::stitching {
 
 /// Minimum cut of a box of cells, each joined to its six neighbours, between a source and a sink.
@@ -19,11 +21,7 @@ class GridFlow {
 
   explicit GridFlow(const glm::ivec3& size);
 
-  [[nodiscard]] std::size_t nodeOf(int i, int j, int k) const {
-    return (static_cast<std::size_t>(k + 1) * static_cast<std::size_t>(padded_.y) + static_cast<std::size_t>(j + 1)) *
-               static_cast<std::size_t>(padded_.x) +
-           static_cast<std::size_t>(i + 1);
-  }
+  [[nodiscard]] std::size_t nodeOf(int i, int j, int k) const { return sampleIndex(padded_, i + 1, j + 1, k + 1); }
   /// What it costs to put the node on the sink's side, and on the source's: may be called repeatedly, costs add up; either may be negative.
   void addCosts(std::size_t node, std::int64_t onSinkSide, std::int64_t onSourceSide);
   /// Costs `forth` when the node is on the source's side and its neighbour on the sink's, `back` the other way round; both >= 0.

@@ -269,7 +269,7 @@ Result<JoinReport> joinBlocks(std::span<const View> views, const SeamMap& seams,
   for (int b = 0; b < count; ++b) {
     const glm::ivec3 corner = options.block * glm::ivec3(b % blocks.x, b / blocks.x % blocks.y, b / blocks.x / blocks.y);
     const glm::ivec3 size = glm::min(result.dims - corner, glm::ivec3(options.block));
-    const std::size_t each = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
+    const std::size_t each = samplesIn(size);
     voxels.assign(3 * each, 0);
     const BlockArrays arrays{corner, size, voxels.data(), voxels.data() + each, voxels.data() + 2 * each};
     const glm::ivec3 tiles = (size + kTile - 1) / kTile;

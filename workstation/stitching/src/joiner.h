@@ -23,11 +23,7 @@ struct BlockArrays {
   std::uint8_t* echo = nullptr;
   std::uint8_t* coverage = nullptr;
   std::uint8_t* source = nullptr;
-  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const {
-    return (static_cast<std::size_t>(k - corner.z) * static_cast<std::size_t>(size.y) + static_cast<std::size_t>(j - corner.y)) *
-               static_cast<std::size_t>(size.x) +
-           static_cast<std::size_t>(i - corner.x);
-  }
+  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const { return sampleIndex(size, i - corner.x, j - corner.y, k - corner.z); }
 };
 
 /// How much two views differ in a cube of the blend.

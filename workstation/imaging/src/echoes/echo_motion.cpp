@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ew/core/contract.h"
+#include "ew/core/volume.h"
 
 namespace ew::detail {
 namespace {
@@ -126,7 +127,7 @@ void EchoMotion::press(const EchoLayout& layout, const SliceSource& level, const
   const double lowest_mm = box.top_mm - kFarthestSkin_mm, width_mm = box.halfWidth_mm + kNode_mm;
   const glm::ivec3 dims(static_cast<int>(std::ceil(2.0 * width_mm / kNode_mm)) + 1,
                         static_cast<int>(std::ceil((kStands_mm + kFarthestSkin_mm - lowest_mm) / kNode_mm)) + 1, 2);
-  pressed_.resize(static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z));
+  pressed_.resize(samplesIn(dims));
   const std::size_t plane = pressed_.size() / 2;
   for (int j = 0; j < dims.y; ++j)
     for (int i = 0; i < dims.x; ++i) {
@@ -240,8 +241,7 @@ void BlockShifts::begin(const EchoMotion& motion, const glm::dmat4& cellToProbe,
   perCell_ = static_cast<float>(1.0 / cells);
   for (int axis = 0; axis < 3; ++axis) nodeToProbe_[axis] = cells * cellToProbe[axis];
   nodeToProbe_[3] = cellToProbe * glm::dvec4(static_cast<double>(cellsOfBlock) * glm::dvec3(first_), 1.0);
-  nodes_.assign(static_cast<std::size_t>(dims_.x) * static_cast<std::size_t>(dims_.y) * static_cast<std::size_t>(dims_.z),
-                glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+  nodes_.assign(samplesIn(dims_), glm::vec3(std::numeric_limits<float>::quiet_NaN()));
   row_.resize(static_cast<std::size_t>(3 * dims_.x));
 }
 

@@ -52,10 +52,6 @@ glm::ivec3 reachOf(const Kernels& kernels) {
   return {static_cast<int>(kernels[0].size()) - 1, static_cast<int>(kernels[1].size()) - 1, static_cast<int>(kernels[2].size()) - 1};
 }
 
-std::size_t count(const glm::ivec3& size) {
-  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
-}
-
 /// Values of a block and its neighbourhood, i fastest.
 using Field = std::vector<float>;
 /// Whether somebody cancelled: what is left then is not looked at.
@@ -131,7 +127,7 @@ class Leveller {
     // Voxels that count lie at multiples of the stride, whatever block is made, and reach around the block.
     const glm::ivec3 first = corner / stride_, last = (corner + size - 1 + stride_ - 1) / stride_;
     const glm::ivec3 from = first - halo_, padded = last - first + 1 + 2 * halo_;
-    mine.resize(count(padded));
+    mine.resize(samplesIn(padded));
     take(from, padded, mine);
     const auto sum = [&](const Kernels& kernels, const Field& in, Field& out) {
       smoothAlong(0, kernels[0], padded, stopped, in, out);
@@ -179,12 +175,8 @@ class Leveller {
 
   /// @param from, padded the voxels that count, of which `mine` knows the sums
   void write(const glm::ivec3& corner, const glm::ivec3& size, const glm::ivec3& from, const glm::ivec3& padded, Scratch& mine) const {
-    mine.level.resize(count(size));
-    const auto placeOf = [&](const glm::ivec3& at) {
-      return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(padded.y) + static_cast<std::size_t>(at.y)) *
-                 static_cast<std::size_t>(padded.x) +
-             static_cast<std::size_t>(at.x);
-    };
+    mine.level.resize(samplesIn(size));
+    const auto placeOf = [&](const glm::ivec3& at) { return sampleIndex(padded, at.x, at.y, at.z); };
     const bool isEach = stride_ == glm::ivec3(1);
     if (!isEach)
       for (std::size_t n = 0; n < mine.seen.size(); ++n)  // what only the wide Gaussian reaches is too far to tell
@@ -260,12 +252,12 @@ std::uint64_t threadBytes(const Grid& grid, const LevelOptions& options) {
   const glm::ivec3 halo = reachOf(kernelsOf(grid, options.sigma_mm, stride)) + reachOf(kernelsOf(grid, kNarrow * options.sigma_mm, stride));
   const glm::ivec3 block = glm::min(glm::ivec3(edgeOf(options)), grid.dims);
   const glm::ivec3 counted = glm::mix((block + stride - 1) / stride + 1, block, glm::equal(stride, glm::ivec3(1)));
-  return count(counted + 2 * halo) * sizeof(float) * Scratch::kFields;
+  return samplesIn(counted + 2 * halo) * sizeof(float) * Scratch::kFields;
 }
 
 /// As many as there are blocks and room for, but one at least.
 int threadsOf(const Grid& grid, const LevelOptions& options) {
-  const std::uint64_t blocks = count(blocksOf(grid, edgeOf(options))), room = options.maxBytes / threadBytes(grid, options);
+  const std::uint64_t blocks = samplesIn(blocksOf(grid, edgeOf(options))), room = options.maxBytes / threadBytes(grid, options);
   const auto asked = static_cast<std::uint64_t>(threadCount(options.threads));
   return static_cast<int>(std::max<std::uint64_t>(std::min({asked, blocks, room}), 1));
 }
@@ -316,7 +308,7 @@ Result<void> levelInBlocks(const VolumeView<const std::uint8_t>& echo, std::span
   if (bytes > options.maxBytes) return needsMore(bytes, options);
   const int edge = edgeOf(options);
   const glm::ivec3 blocks = blocksOf(echo.grid, edge);
-  const auto total = static_cast<int>(count(blocks));
+  const auto total = static_cast<int>(samplesIn(blocks));
   try {
     const Leveller leveller(echo, coverage, options);
     std::vector<Scratch> scratch(static_cast<std::size_t>(threadsOf(echo.grid, options)));

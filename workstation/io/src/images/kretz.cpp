@@ -251,7 +251,7 @@ Result<Volume> converted(const Torus& torus, const Grid& grid, double hand, int 
 
 Result<Bytes> samplesOf(const Reader& in, const fs::path& file, const glm::ivec3& counts, const KretzOptions& options,
                         std::vector<Message>& notes) {
-  const std::size_t wanted = static_cast<std::size_t>(counts.x) * static_cast<std::size_t>(counts.y) * static_cast<std::size_t>(counts.z);
+  const std::size_t wanted = samplesIn(counts);
   for (const std::uint32_t packed : {0x00021000u, 0x00021100u, 0x00021200u})
     if (in.has(packed))
       return failure(

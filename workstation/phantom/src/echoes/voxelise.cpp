@@ -229,10 +229,7 @@ class VolumePainter {
     std::vector<float> power{};
     [[nodiscard]] const float* at(const glm::ivec3& voxel) const {
       const glm::ivec3 in = voxel - first;
-      return power.data() +
-             (static_cast<std::size_t>(in.z) * static_cast<std::size_t>(size.y) + static_cast<std::size_t>(in.y)) *
-                 static_cast<std::size_t>(size.x) +
-             static_cast<std::size_t>(in.x);
+      return power.data() + sampleIndex(size, in.x, in.y, in.z);
     }
   };
   [[nodiscard]] Strip stripOf(int piece) const;

@@ -60,8 +60,7 @@ bool findBlocks(const ScannerSetup& setup, const ScattererField& field, const Vi
   work.blocks.clear();
   if (view.deforms) {
     const glm::ivec3 nodes = work.boxSize + 1;
-    work.corners.assign(static_cast<std::size_t>(nodes.x) * static_cast<std::size_t>(nodes.y) * static_cast<std::size_t>(nodes.z),
-                        glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+    work.corners.assign(samplesIn(nodes), glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
   }
   // A deformed block may be larger than it rests; its facets lie a little outside it.
   const double radius = std::sqrt(0.75) * size * (view.deforms ? 1.2 : 1.0) + field.overhang_mm();
@@ -103,10 +102,7 @@ Trilinear motionOf(const ScattererField& field, const View& view, const glm::ive
   std::array<glm::dvec3, 8> corner;
   for (int n = 0; n < 8; ++n) {
     const glm::ivec3 node = index + glm::ivec3(n & 1, (n >> 1) & 1, n >> 2) - work.boxFirst, nodes = work.boxSize + 1;
-    glm::dvec3& kept =
-        work.corners[(static_cast<std::size_t>(node.z) * static_cast<std::size_t>(nodes.y) + static_cast<std::size_t>(node.y)) *
-                         static_cast<std::size_t>(nodes.x) +
-                     static_cast<std::size_t>(node.x)];
+    glm::dvec3& kept = work.corners[sampleIndex(nodes, node.x, node.y, node.z)];
     if (std::isnan(kept.x)) kept = view.toProbe(view.deformation.moved(size * glm::dvec3(node + work.boxFirst)));
     corner[static_cast<std::size_t>(n)] = kept;
   }

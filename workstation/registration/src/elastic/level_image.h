@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ew/core/progress.h"
+#include "ew/core/volume.h"
 #include "ew/registration/verdict.h"
 
 namespace ew::registration {
@@ -20,14 +21,8 @@ struct BlockMap {
 
   BlockMap() = default;
   BlockMap(const LevelImage& image, double block_mm);
-  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(blocks.y) + static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(blocks.x) +
-           static_cast<std::size_t>(i);
-  }
-  [[nodiscard]] std::size_t count() const {
-    return static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y) * static_cast<std::size_t>(blocks.z);
-  }
+  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const { return sampleIndex(blocks, i, j, k); }
+  [[nodiscard]] std::size_t count() const { return samplesIn(blocks); }
   /// Linear between the centres of blocks at a place in samples; negative values are unknown, and so is a place more than half among them.
   [[nodiscard]] float at(const glm::dvec3& sample) const;
   [[nodiscard]] glm::dvec3 centreOf(int i, int j, int k) const { return (glm::dvec3(i, j, k) + 0.5) * glm::dvec3(size) - 0.5; }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ew/core/progress.h"
+#include "ew/core/volume.h"
 
 namespace ew::registration {
 
@@ -15,14 +16,8 @@ struct NodeGrid {
   glm::dvec3 spacing_mm{1.0};
   glm::dvec3 first_mm{0.0};
 
-  [[nodiscard]] std::size_t count() const {
-    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
-  }
-  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(dims.x) +
-           static_cast<std::size_t>(i);
-  }
+  [[nodiscard]] std::size_t count() const { return samplesIn(dims); }
+  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const { return sampleIndex(dims, i, j, k); }
   [[nodiscard]] glm::ivec3 cells() const { return glm::max(dims - 1, glm::ivec3(1)); }
   [[nodiscard]] double cellVolume_mm3() const { return spacing_mm.x * spacing_mm.y * spacing_mm.z; }
 };

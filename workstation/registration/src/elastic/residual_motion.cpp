@@ -34,11 +34,7 @@ struct MotionBlocks {
   glm::ivec3 size{1};
   glm::ivec3 count{1};
   std::vector<glm::ivec3> shifts;  // samples; none first, then by length
-  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(count.y) + static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(count.x) +
-           static_cast<std::size_t>(i);
-  }
+  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const { return sampleIndex(count, i, j, k); }
 };
 
 MotionBlocks blocksOf(const LevelImage& image) {

@@ -11,6 +11,16 @@
 
 namespace ew {
 
+/// How many samples a block of this size has.
+[[nodiscard]] inline std::size_t samplesIn(const glm::ivec3& size) {
+  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
+}
+/// Where the sample (i, j, k) of a block of this size lies among them, i varying fastest.
+[[nodiscard]] inline std::size_t sampleIndex(const glm::ivec3& size, int i, int j, int k) {
+  return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size.y) + static_cast<std::size_t>(j)) * static_cast<std::size_t>(size.x) +
+         static_cast<std::size_t>(i);
+}
+
 /// Where the voxels of a volume lie in the world.
 struct Grid {
   glm::ivec3 dims{0};          ///< voxels along i, j, k; each > 0 in a usable grid
@@ -20,14 +30,8 @@ struct Grid {
 
   bool operator==(const Grid&) const = default;
 
-  [[nodiscard]] std::size_t voxelCount() const {
-    return static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) * static_cast<std::size_t>(dims.z);
-  }
-  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const {
-    return (static_cast<std::size_t>(k) * static_cast<std::size_t>(dims.y) + static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(dims.x) +
-           static_cast<std::size_t>(i);
-  }
+  [[nodiscard]] std::size_t voxelCount() const { return samplesIn(dims); }
+  [[nodiscard]] std::size_t indexOf(int i, int j, int k) const { return sampleIndex(dims, i, j, k); }
   [[nodiscard]] bool contains(const glm::ivec3& ijk) const {
     return ijk.x >= 0 && ijk.y >= 0 && ijk.z >= 0 && ijk.x < dims.x && ijk.y < dims.y && ijk.z < dims.z;
   }

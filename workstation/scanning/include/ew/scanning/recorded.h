@@ -32,11 +32,7 @@ class Recorded {
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
  private:
-  [[nodiscard]] std::size_t index(const glm::ivec3& voxel) const {
-    return (static_cast<std::size_t>(voxel.z) * static_cast<std::size_t>(dims_.y) + static_cast<std::size_t>(voxel.y)) *
-               static_cast<std::size_t>(dims_.x) +
-           static_cast<std::size_t>(voxel.x);
-  }
+  [[nodiscard]] std::size_t index(const glm::ivec3& voxel) const { return sampleIndex(dims_, voxel.x, voxel.y, voxel.z); }
 
   std::shared_ptr<const Volume> volume_;
   const std::uint8_t* coverage_ = nullptr;  ///< of volume_; null: every voxel counts
