@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "ew/core/file_errors.h"
+
 namespace ew {
 namespace {
 
@@ -15,13 +17,6 @@ constexpr std::size_t kPiece_bytes = 1u << 20;
 constexpr std::uint64_t kSyncEvery_bytes = 8u << 20;
 
 Message reasonNow() { return verbatim(std::generic_category().message(errno)); }
-
-tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Message reason) {
-  std::string english = reason.english();
-  return failure(ErrorCode::notWritable,
-                 say<"\"%1\" cannot be written (%2); choose another place or free some room.">(file, std::move(reason)),
-                 {{"file", file.string()}, {"reason", std::move(english)}});
-}
 
 tl::unexpected<Error> cannotRead(const std::filesystem::path& file) {
   return failure(
@@ -73,9 +68,9 @@ Result<void> readInPieces(const std::filesystem::path& file, ByteCount& count, c
 Result<PieceWriter> PieceWriter::create(const std::filesystem::path& file) {
   std::error_code problem;
   std::filesystem::create_directories(file.parent_path(), problem);
-  if (problem) return cannotWrite(file, verbatim(problem.message()));
+  if (problem) return notWritable(file, verbatim(problem.message()));
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) return cannotWrite(file, reasonNow());
+  if (descriptor < 0) return notWritable(file, reasonNow());
   return PieceWriter(file, descriptor);
 }
 
@@ -91,18 +86,18 @@ Result<void> PieceWriter::write(std::span<const std::byte> piece) {
   while (!piece.empty()) {
     const ssize_t put = ::write(descriptor_, piece.data(), piece.size());
     if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return cannotWrite(file_, reasonNow());
+    if (put < 0) return notWritable(file_, reasonNow());
     piece = piece.subspan(static_cast<std::size_t>(put));
   }
   if (unsynced_ < kSyncEvery_bytes) return {};
   unsynced_ = 0;
-  return ::fdatasync(descriptor_) == 0 ? Result<void>() : cannotWrite(file_, reasonNow());
+  return ::fdatasync(descriptor_) == 0 ? Result<void>() : notWritable(file_, reasonNow());
 }
 
 Result<void> PieceWriter::finish() {
   const bool synced = ::fsync(descriptor_) == 0;
-  if (!synced) return cannotWrite(file_, reasonNow());
-  if (::close(std::exchange(descriptor_, -1)) != 0) return cannotWrite(file_, reasonNow());
+  if (!synced) return notWritable(file_, reasonNow());
+  if (::close(std::exchange(descriptor_, -1)) != 0) return notWritable(file_, reasonNow());
   return {};
 }
 
