@@ -8,6 +8,7 @@
 #include "elastic/lattice.h"
 #include "ew/core/contract.h"
 #include "ew/core/parallel.h"
+#include "trilinear_cell.h"
 
 namespace ew::registration {
 namespace {
@@ -177,44 +178,24 @@ Result<Volume> warped(const Volume& moving, const Deformation& fixedToMoving, co
   out.echo.resize(fixedGrid.voxelCount());
   out.coverage.resize(fixedGrid.voxelCount());
   const auto toVoxel = moving.grid.toVoxel<frame::Moving>() * fixedToMoving.rigid;
-  const glm::ivec3 dims = moving.grid.dims;
   const bool finished = forEachTask(fixedGrid.dims.z, threads, progress, say<"Warping the moving volume">(), [&](int k) {
     forEachRow(fixedToMoving.control, fixedGrid, k,
                [&](int j, const glm::dvec3& first, const glm::dvec3& step, const std::vector<glm::dvec3>& displacement) {
                  const std::size_t row = fixedGrid.indexOf(0, j, k);
                  for (int i = 0; i < fixedGrid.dims.x; ++i) {
                    const glm::dvec3 p = first + step * static_cast<double>(i) + displacement[static_cast<std::size_t>(i)];
-                   const glm::dvec3 at = carried(toVoxel, p);
-                   glm::ivec3 low;
-                   glm::dvec3 share;
-                   bool inside = true;
-                   for (int axis = 0; axis < 3; ++axis) {
-                     // A single layer of voxels is as thick as it says; otherwise the volume ends at its last centres.
-                     const double slack = dims[axis] == 1 ? 0.5 : 1e-6;
-                     inside = inside && at[axis] >= -slack && at[axis] <= dims[axis] - 1 + slack;
-                     const double held = std::clamp(at[axis], 0.0, static_cast<double>(dims[axis] - 1));
-                     low[axis] = std::min(static_cast<int>(held), std::max(dims[axis] - 2, 0));
-                     share[axis] = held - low[axis];
-                   }
-                   if (!inside) continue;
+                   const auto cell = cellAt(moving.grid, carried(toVoxel, p));
+                   if (!cell) continue;
                    double sum = 0.0, weight = 0.0;
                    bool measured = true;
-                   for (int n = 0; n < 8; ++n) {
-                     double part = 1.0;
-                     glm::ivec3 corner = low;
-                     for (int axis = 0; axis < 3; ++axis) {
-                       const bool high = (n >> axis & 1) != 0;
-                       part *= high ? share[axis] : 1.0 - share[axis];
-                       corner[axis] += high ? 1 : 0;
-                     }
-                     if (part < 1e-9) continue;
-                     const std::size_t index = moving.grid.indexOf(corner.x, corner.y, corner.z);
-                     const Coverage coverage = moving.coverageAt(index);
+                   cell->visit(moving.grid, [&](std::size_t at, double part) {
+                     const Coverage coverage = moving.coverageAt(at);
                      if (coverage != Coverage::measured) measured = false;
-                     if (coverage == Coverage::absent) continue;
-                     sum += part * moving.echo[index];
+                     if (coverage == Coverage::absent) return true;
+                     sum += part * moving.echo[at];
                      weight += part;
-                   }
+                     return true;
+                   });
                    if (weight < 0.5) continue;
                    const auto index = row + static_cast<std::size_t>(i);
                    out.echo[index] = static_cast<std::uint8_t>(std::lround(sum / weight));

@@ -14,6 +14,7 @@
 #include "elastic/lattice.h"
 #include "ew/core/order_statistics.h"
 #include "ew/core/parallel.h"
+#include "trilinear_cell.h"
 
 namespace ew::registration {
 namespace {
@@ -32,30 +33,15 @@ struct Side {
 
 /// Trilinear; nothing where one of the corners has no weight.
 void sample(const ComparableImage& image, const glm::dvec3& index, float& value, float& weight) {
-  glm::ivec3 low;
-  glm::dvec3 share;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double slack = image.grid.dims[axis] == 1 ? 0.5 : 1e-6;
-    if (!(index[axis] >= -slack) || !(index[axis] <= image.grid.dims[axis] - 1 + slack)) return;
-    const double held = std::clamp(index[axis], 0.0, static_cast<double>(image.grid.dims[axis] - 1));
-    low[axis] = std::min(static_cast<int>(held), std::max(image.grid.dims[axis] - 2, 0));
-    share[axis] = held - low[axis];
-  }
+  const auto cell = cellAt(image.grid, index);
+  if (!cell) return;
   double v = 0.0, w = 0.0;
-  for (int n = 0; n < 8; ++n) {
-    double part = 1.0;
-    glm::ivec3 corner = low;
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool high = (n >> axis & 1) != 0;
-      part *= high ? share[axis] : 1.0 - share[axis];
-      corner[axis] += high ? 1 : 0;
-    }
-    if (part < 1e-9) continue;
-    const std::size_t at = image.grid.indexOf(corner.x, corner.y, corner.z);
-    if (image.weight[at] == 0) return;
+  const bool isWhole = cell->visit(image.grid, [&](std::size_t at, double part) {
     v += part * static_cast<double>(image.value[at]);
     w += part * static_cast<double>(image.weight[at]) / 255.0;
-  }
+    return image.weight[at] != 0;
+  });
+  if (!isWhole) return;
   value = static_cast<float>(v);
   weight = static_cast<float>(w);
 }
