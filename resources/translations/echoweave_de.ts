@@ -19100,6 +19100,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
     </message>
+    <message>
+        <source>Opening a case</source>
+        <translation>Ein Fall wird geöffnet</translation>
+    </message>
     <message numerus="yes">
         <source>The mannequin was read; %n notes say how.</source>
         <translation>

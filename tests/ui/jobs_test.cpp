@@ -47,6 +47,19 @@ class JobsOnTheirOwn : public testing::Test {
   QCoreApplication application_{argc_, argv_};
 };
 
+TEST_F(JobsOnTheirOwn, AJobIsCalledByWhatIsKnownOfItByNow) {
+  Jobs jobs;
+  const int id = jobs.start("Opening a case", workUntilCancelled, {});
+  const int other = jobs.start("Counting", workUntilCancelled, {});
+  jobs.rename(id, "Opening Knee");
+  jobs.rename(other + 1, "Nobody");
+  const auto seen = jobs.seen();
+  ASSERT_EQ(seen.size(), 2u);
+  EXPECT_EQ(seen[0].title.toStdString(), "Opening Knee");
+  EXPECT_EQ(seen[1].title.toStdString(), "Counting");
+  jobs.cancelAllAndWait();
+}
+
 TEST_F(JobsOnTheirOwn, WorkRunsOnAnotherThreadAndItsDoneOnThisOne) {
   Jobs jobs;
   const auto here = std::this_thread::get_id();

@@ -66,6 +66,8 @@ Skin::Contact skinInFrontOf(const Skin& skin, const glm::dvec3& p_mm) {
   return hit ? *hit : skin.nearest(p_mm);
 }
 
+QString openingOf(const Case& opened) { return Opener::tr("Opening %1").arg(words(titleForTrainees(opened))); }
+
 /// Whether a case has to be made, and how long that takes; empty: it is there.
 std::optional<CaseToMake> toBeMade(const Case& read) {
   if (!caseNeedsPreparation(read)) return std::nullopt;
@@ -236,29 +238,29 @@ void Opener::open(const QString& path, LongCases longOnes) {
   }
 }
 
-void Opener::startOpening(const QString& path, const QString& name, Jobs::Work work, std::function<void()> taken,
+void Opener::startOpening(const QString& path, const QString& title, Jobs::Work work, std::function<void()> taken,
                           std::function<void()> refused) {
   // Whoever chooses something else while a case is prepared wants that, not whatever happens to be ready last.
   giveUpOpening();
   ++busy_;
   auto id = std::make_shared<int>(0);
-  *id = jobs_.start(tr("Opening %1").arg(name), std::move(work),
-                    [this, id, taken = std::move(taken), refused = std::move(refused)](const Result<void>& outcome) {
-                      --busy_;
-                      if (*id != openingJob_) return;
-                      openingJob_ = 0;
-                      openingPath_.clear();
-                      reloading_.reset();
-                      beingMade_.reset();
-                      if (outcome) {
-                        taken();
-                      } else {
-                        if (refused) refused();
-                        if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error(), kOpening);
-                        Q_EMIT failed(outcome.error());
-                      }
-                      Q_EMIT ended();
-                    });
+  *id =
+      jobs_.start(title, std::move(work), [this, id, taken = std::move(taken), refused = std::move(refused)](const Result<void>& outcome) {
+        --busy_;
+        if (*id != openingJob_) return;
+        openingJob_ = 0;
+        openingPath_.clear();
+        reloading_.reset();
+        beingMade_.reset();
+        if (outcome) {
+          taken();
+        } else {
+          if (refused) refused();
+          if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error(), kOpening);
+          Q_EMIT failed(outcome.error());
+        }
+        Q_EMIT ended();
+      });
   openingJob_ = *id;
   openingPath_ = QFileInfo(path).absoluteFilePath();
 }
@@ -326,12 +328,13 @@ void Opener::openCase(const QString& path, LongCases longOnes) {
   auto loaded = std::make_shared<Loading>();
   const auto job = std::make_shared<int>(0);
   startOpening(
-      path, recentFileOf(path, false).name,
+      path, tr("Opening a case"),
       [this, loaded, path, longOnes, job, present = mannequinFile_](Progress& progress) -> Result<void> {
         auto read = readCase(pathOf(path));
         if (!read) return passOn(read.error());
         loaded->opened = std::move(read->opened);
         loaded->asRead = read->manifest;
+        tellTitle(*loaded->opened, job);
         auto toMake = toBeMade(*loaded->opened);
         if (toMake && longOnes == LongCases::leave && toMake->takesLong()) {
           loaded->left = std::move(toMake);
@@ -357,6 +360,11 @@ void Opener::openCase(const QString& path, LongCases longOnes) {
   *job = openingJob_;
 }
 
+void Opener::tellTitle(const Case& read, const std::shared_ptr<const int>& job) {
+  QMetaObject::invokeMethod(
+      this, [this, title = openingOf(read), job] { jobs_.rename(*job, title); }, Qt::QueuedConnection);
+}
+
 void Opener::tellPreparing(const QString& path, CaseToMake toMake, const std::shared_ptr<const int>& job) {
   QMetaObject::invokeMethod(
       this,
@@ -377,7 +385,7 @@ void Opener::reloadCase(const Case& edited) {
   const auto job = std::make_shared<int>(0);
   const QString path = wordsOf(edited.folder);
   startOpening(
-      path, words(titleForTrainees(edited)),
+      path, openingOf(edited),
       [this, loaded, path, job, present = mannequinFile_](Progress& progress) {
         if (auto toMake = toBeMade(*loaded->opened)) tellPreparing(path, std::move(*toMake), job);
         return load(*loaded, present, progress);
@@ -415,7 +423,7 @@ void Opener::reloadLabels(const Case& edited) {
   if (reloading_ == wanted || refused_ == wanted) return;
   auto read = std::make_shared<std::shared_ptr<const Volume>>();
   startOpening(
-      wordsOf(edited.folder), words(titleForTrainees(edited)),
+      wordsOf(edited.folder), openingOf(edited),
       [read, edited, contents = contents_->read](Progress& progress) -> Result<void> {
         auto labels = readLabelsFor(edited, contents, progress);
         if (!labels) return passOn(labels.error());
@@ -533,7 +541,7 @@ void Opener::takeFiner() {
 void Opener::openImage(const QString& path) {
   auto loaded = std::make_shared<Image>();
   startOpening(
-      path, recentFileOf(path, false).name,
+      path, tr("Opening %1").arg(recentFileOf(path, false).name),
       [loaded, path](Progress& progress) -> Result<void> {
         const auto kind = kindOfFile(pathOf(path));
         if (!kind) return passOn(kind.error());
@@ -669,7 +677,7 @@ void Opener::openVolume(std::shared_ptr<const Volume> volume, const QString& tit
   }
   auto voxels = std::make_shared<ScanVoxels>();
   startOpening(
-      title, recentFileOf(title, false).name,
+      title, tr("Opening %1").arg(recentFileOf(title, false).name),
       [voxels, volume = std::move(volume)](Progress& progress) -> Result<void> {
         auto made = ScanVoxels::of(volume, progress);
         if (!made) return passOn(made.error());

@@ -114,6 +114,8 @@ class Opener final : public QObject {
     CaseContents read;
   };
   void openCase(const QString& path, LongCases longOnes);
+  /// From the thread of a job, as tellPreparing: whose case it opens.
+  void tellTitle(const Case& read, const std::shared_ptr<const int>& job);
   /// From the thread of a job: preparing() on the window's, if that job is still the opening there is. @param job its id, known and looked
   /// at on the window's thread alone
   void tellPreparing(const QString& path, CaseToMake toMake, const std::shared_ptr<const int>& job);
@@ -134,8 +136,8 @@ class Opener final : public QObject {
   /// Whose examination goes on when a case's volume is scanned now.
   [[nodiscard]] Session::Patient patientOf(const Sources& next) const;
   /// Runs `work` as the one opening there is: a later one cancels it, and then `taken` is not called.
-  /// @param name of it, for the job's card
-  void startOpening(const QString& path, const QString& name, Jobs::Work work, std::function<void()> taken,
+  /// @param title of the job
+  void startOpening(const QString& path, const QString& title, Jobs::Work work, std::function<void()> taken,
                     std::function<void()> refused = {});
   void giveUpOpening();
   /// One message of what reading it had to decide.

@@ -102,6 +102,12 @@ void Jobs::cancel(int id) {
   }
 }
 
+void Jobs::rename(int id, const QString& title) {
+  for (const auto& job : running_) {
+    if (job->id == id) job->title = title;
+  }
+}
+
 std::vector<Jobs::Seen> Jobs::seen() const {
   std::vector<Seen> all;
   for (const auto& job : running_) {

@@ -42,6 +42,8 @@ class Jobs final : public QObject {
   /// @return the job's id
   int start(const QString& title, Work work, Done done, Kind kind = Kind::awaited);
   void cancel(int id);
+  /// Of a job that knows by now what it is about; an id that is none does nothing.
+  void rename(int id, const QString& title);
   /// Whether a job runs that someone waits for.
   [[nodiscard]] bool isRunning() const;
   [[nodiscard]] bool isSaving() const;
