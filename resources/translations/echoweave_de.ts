@@ -13625,6 +13625,10 @@
         <translation>die darin gemalten Strukturen</translation>
     </message>
     <message>
+        <source>the recorded images it was made of</source>
+        <translation>die aufgezeichneten Bilder, aus denen es entstand</translation>
+    </message>
+    <message>
         <source>What only the recipe knew goes with it: %1.</source>
         <translation>Was nur das Rezept wusste, geht mit ihm: %1.</translation>
     </message>

@@ -81,6 +81,7 @@ Case fileCase() {
   made.title = "my knee";
   made.volume.file = "old.mha";
   made.volume.labels = "labels.mha";
+  made.volume.frames = "old-frames.mha";
   made.volume.level = "old-level.mha";
   made.volume.fileToWorld.matrix[3] = glm::dvec4(7.0, 0.0, 0.0, 1.0);
   made.otherFields["volume"] = {{"attribution", "Example University"}, {"licence", "CC BY 4.0"}, {"depth_direction", {0, 1, 0}}};
@@ -92,10 +93,12 @@ TEST(CaseVolume, KeepsWhomToNameAndTheLicenceOfACaseOfAFileAndSaysWhatItsVolumeH
   const auto made = caseWithVolume(fileCase(), {"new.mha", "new-level.mha", std::pair(gridAt(0.0), gridAt(2.0))}, check);
   EXPECT_FALSE(made.hadRecipe);
   EXPECT_TRUE(made.hadLabels);
+  EXPECT_TRUE(made.hadFrames);
   EXPECT_EQ(made.targets, 1u);
   EXPECT_FALSE(made.isMoved);
   CaseVolume expected = fileCase().volume;
   expected.labels.clear();
+  expected.frames.clear();  // else slices would show the images of the volume before
   expected.file = "new.mha";
   expected.level = "new-level.mha";
   EXPECT_EQ(made.edited.volume, expected);

@@ -65,8 +65,8 @@ CaseWithVolume caseWithVolume(Case opened, const VolumeForCase& next, const std:
   CaseVolume& volume = made.edited.volume;
   made.hadRecipe = !volume.recipe.empty();
   made.hadLabels = !volume.labels.empty();
+  made.hadFrames = !volume.frames.empty();
   CaseVolume replaced;
-  replaced.frames = volume.frames;
   replaced.fileToWorld = volume.fileToWorld;
   replaced.file = next.file;
   replaced.level = next.level;

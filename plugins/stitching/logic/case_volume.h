@@ -18,6 +18,7 @@ struct CaseWithVolume {
   Case edited;
   bool hadRecipe = false;        ///< its patient was a recipe; else its volume was a file
   bool hadLabels = false;        ///< the volume before had labels; they do not fit to the new one and are not taken over
+  bool hadFrames = false;        ///< the volume before had the recorded images it was made of, which are not those of the new one
   bool isMoved = false;          ///< the new volume lay elsewhere than the one before, and was moved to where that lay
   std::size_t targets = 0;       ///< left out: only the recipe, or the labels of the volume before, knew where they are
   std::size_t measurements = 0;  ///< the same of these

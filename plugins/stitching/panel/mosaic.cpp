@@ -142,7 +142,7 @@ void Mosaic::handToCase() {
   // Everything that somebody has to decide or mend is asked before anything is written.
   const CaseWithVolume next = caseWith(nextName());
   if (!next.problems.empty()) return notices_.say(next.problems.front());
-  if ((next.targets + next.measurements > 0 || next.hadLabels) && !mayDropTargets(next)) return;
+  if ((next.targets + next.measurements > 0 || next.hadLabels || next.hadFrames) && !mayDropTargets(next)) return;
   // A case that belongs to the program is copied first: nothing is written into its own folder.
   if (const auto own = cases.makeOwn(); !own) {
     if (own.error().code != ErrorCode::cancelled) notices_.say(own.error());
@@ -223,6 +223,7 @@ bool Mosaic::mayDropTargets(const CaseWithVolume& next) {
                        .arg(titleOfCase()));
   QStringList lost;
   if (next.hadLabels) lost << tr("the structures painted in it");
+  if (next.hadFrames) lost << tr("the recorded images it was made of");
   if (next.targets > 0) lost << tr("%n targets", nullptr, static_cast<int>(next.targets));
   if (next.measurements > 0) lost << tr("%n measurements", nullptr, static_cast<int>(next.measurements));
   question.setInformativeText(
