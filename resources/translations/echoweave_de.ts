@@ -19772,6 +19772,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 <context>
     <name>ew::TimeLine</name>
     <message>
+        <source>Drag the ends to show a part, drag marks to move them, click to look. Keys: arrows, Home, End, [ and ]</source>
+        <translation>Die Enden ziehen, um einen Teil zu zeigen, Marken ziehen, um sie zu verschieben, klicken, um hinzusehen. Tasten: Pfeile, Pos1, Ende, [ und ]</translation>
+    </message>
+    <message>
         <source>Time line of the recording</source>
         <translation>Zeitleiste der Aufzeichnung</translation>
     </message>
@@ -23025,17 +23029,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>The case has neither</source>
         <translation>Der Fall hat beides nicht</translation>
-    </message>
-</context>
-<context>
-    <name>ew::lessons::TimeLine</name>
-    <message>
-        <source>Drag the ends to show a part, drag marks to move them, click to look. Keys: arrows, Home, End, [ and ]</source>
-        <translation>Die Enden ziehen, um einen Teil zu zeigen, Marken ziehen, um sie zu verschieben, klicken, um hinzusehen. Tasten: Pfeile, Pos1, Ende, [ und ]</translation>
-    </message>
-    <message>
-        <source>The recording along its time</source>
-        <translation>Die Aufnahme entlang ihrer Zeit</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 
 #include "editor/field_form.h"
 #include "editor/order_list.h"
+#include "editor/task_form.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/scrolled_rows.h"

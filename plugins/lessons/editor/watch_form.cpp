@@ -10,12 +10,12 @@
 
 #include "editor/expert_take.h"
 #include "editor/order_list.h"
-#include "editor/time_line.h"
 #include "ew/sdk/window.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
+#include "ew/widgets/time_line.h"
 #include "ew/widgets/words.h"
 #include "panel/expert_player.h"
 
@@ -266,7 +266,8 @@ void WatchForm::load() {
         if (!form || form->loads_ != load) return;
         if (done) {
           form->recording_ = read;
-          form->line_->setAt(form->edited().task<WatchTask>().begin_s.value_or(read->log.begin_s()));
+          form->line_->setSpan(read->log.begin_s(), read->log.end_s());
+          form->line_->setPosition(form->edited().task<WatchTask>().begin_s.value_or(read->log.begin_s()));
         }
         if (!done) form->say(done);
         form->showRecording();
@@ -279,11 +280,11 @@ void WatchForm::showRecording() {
   playPart_->setVisible(recording_ != nullptr && !isMine && isHome());
   if (!recording_) return;
   const double first_s = recording_->log.begin_s(), last_s = recording_->log.end_s();
-  line_->setRecording(first_s, last_s);
-  line_->setPart(task.begin_s.value_or(first_s), task.end_s.value_or(last_s));
+  line_->setSpan(first_s, last_s);
+  line_->setRange(task.begin_s.value_or(first_s), task.end_s.value_or(last_s));
   std::vector<double> marks_s;
   for (const ExpertMark& mark : task.marks) marks_s.push_back(mark.time_s);
-  line_->setMarks(marks_s);
+  line_->setMarks(std::move(marks_s));
   if (!isMine && !take_.isRecording())
     state_->setText(tr("%1 recorded, %2 images; trainees see %3.")
                         .arg(clockText(last_s - first_s))

@@ -12,10 +12,13 @@ class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
+namespace ew {
+class TimeLine;
+}
+
 namespace ew::lessons {
 
 class ExpertPlayer;
-class TimeLine;
 
 /// The expert's scan of a step: recording it, showing a part of it, marking moments.
 class WatchForm final : public TaskForm {

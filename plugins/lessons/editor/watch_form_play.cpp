@@ -3,6 +3,7 @@
 #include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"
+#include "ew/widgets/time_line.h"
 #include "ew/widgets/words.h"
 
 #include <QComboBox>
@@ -15,7 +16,6 @@
 
 #include "editor/expert_take.h"
 #include "editor/order_list.h"
-#include "editor/time_line.h"
 #include "ew/sdk/scan.h"
 #include "panel/expert_player.h"
 
@@ -26,7 +26,7 @@ QWidget* WatchForm::makePlayPart() {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kGrid_px);
-  line_ = new TimeLine;
+  line_ = new TimeLine(TimeLine::Use::edited);
   line_->setObjectName(QStringLiteral("timeLine"));
   column->addWidget(line_);
   auto* row = new QHBoxLayout;
@@ -63,16 +63,16 @@ QWidget* WatchForm::makePlayPart() {
     if (player_) player_->setSpeed(speed_->currentData().toDouble());
   });
   connect(begin, &QPushButton::clicked, this, [this] {
-    setPart(line_->at_s(), edited().task<WatchTask>().end_s.value_or(1e9));
+    setPart(line_->position_s(), edited().task<WatchTask>().end_s.value_or(1e9));
     showTask(false);
   });
   connect(end, &QPushButton::clicked, this, [this] {
-    setPart(edited().task<WatchTask>().begin_s.value_or(-1e9), line_->at_s());
+    setPart(edited().task<WatchTask>().begin_s.value_or(-1e9), line_->position_s());
     showTask(false);
   });
   connect(add, &QPushButton::clicked, this, &WatchForm::addMark);
-  connect(line_, &TimeLine::lookAsked, this, &WatchForm::lookAt);
-  connect(line_, &TimeLine::partAsked, this, &WatchForm::setPart);
+  connect(line_, &TimeLine::moved, this, &WatchForm::lookAt);
+  connect(line_, &TimeLine::rangeAsked, this, &WatchForm::setPart);
   connect(line_, &TimeLine::markAsked, this, [this](int number, double time_s) {
     // The order of marks is that of their times: one that is dragged past another would change its number under the hand.
     change(tr("Move a mark"), "mark time " + std::to_string(number), [&](WatchTask& task) {
@@ -133,7 +133,7 @@ QWidget* WatchForm::makeMark(std::size_t number, const ExpertMark& mark) {
     change(tr("Move a mark"), {}, [&](WatchTask& task) {
       if (number >= task.marks.size()) return;
       ExpertMark moved = task.marks[number];
-      moved.time_s = line_->at_s();
+      moved.time_s = line_->position_s();
       task = withMark(withoutMark(std::move(task), number), std::move(moved));
     });
     showTask(false);
@@ -170,25 +170,25 @@ void WatchForm::play() {
   if (playing->isPlaying()) return playing->rest();
   const WatchTask task = edited().task<WatchTask>();
   const double begin_s = task.begin_s.value_or(recording_->log.begin_s()), end_s = task.end_s.value_or(recording_->log.end_s());
-  const double at_s = line_->at_s();
+  const double at_s = line_->position_s();
   playing->jumpTo(at_s < begin_s || at_s >= end_s - 0.05 ? begin_s : at_s);
   playing->play();
 }
 
 void WatchForm::lookAt(double time_s) {
-  line_->setAt(time_s);
+  line_->setPosition(time_s);
   if (ExpertPlayer* playing = player()) playing->jumpTo(time_s);
   showPlace();
 }
 
 void WatchForm::showPlace() {
   if (player_) {
-    line_->setAt(player_->at_s());
+    line_->setPosition(player_->at_s());
     const auto end_s = edited().task<WatchTask>().end_s;
     if (player_->isPlaying() && end_s && player_->at_s() >= *end_s) return player_->jumpTo(*end_s);
   }
   play_->setText(player_ && player_->isPlaying() ? tr("Pause") : tr("Play"));
-  place_->setText(clockText(line_->at_s()));
+  place_->setText(clockText(line_->position_s()));
 }
 
 void WatchForm::setPart(double begin_s, double end_s) {
@@ -200,7 +200,7 @@ void WatchForm::setPart(double begin_s, double end_s) {
 
 void WatchForm::addMark() {
   if (!recording_) return;
-  const double at_s = line_->at_s();
+  const double at_s = line_->position_s();
   change(tr("Mark a moment"), {}, [&](WatchTask& task) {
     task = withMark(std::move(task), {at_s, tr("Mark %1").arg(task.marks.size() + 1).toStdString()});
   });

@@ -16,13 +16,14 @@ class TimeLineAccess final : public QAccessibleWidget, public QAccessibleValueIn
     return type == QAccessible::ValueInterface ? static_cast<QAccessibleValueInterface*>(this) : QAccessibleWidget::interface_cast(type);
   }
   [[nodiscard]] QString text(QAccessible::Text of) const override {
-    return of == QAccessible::Value ? TimeLine::tr("%1 of %2 s").arg(figure(line_.position_s(), 1), figure(line_.length_s(), 1))
+    return of == QAccessible::Value ? TimeLine::tr("%1 of %2 s")
+                                          .arg(figure(line_.position_s() - line_.first_s(), 1), figure(line_.last_s() - line_.first_s(), 1))
                                     : QAccessibleWidget::text(of);
   }
   [[nodiscard]] QVariant currentValue() const override { return line_.position_s(); }
   void setCurrentValue(const QVariant& value) override { line_.moveTo(value.toDouble()); }
-  [[nodiscard]] QVariant maximumValue() const override { return line_.length_s(); }
-  [[nodiscard]] QVariant minimumValue() const override { return 0.0; }
+  [[nodiscard]] QVariant maximumValue() const override { return line_.last_s(); }
+  [[nodiscard]] QVariant minimumValue() const override { return line_.first_s(); }
   [[nodiscard]] QVariant minimumStepSize() const override { return 1.0; }
 
  private:
