@@ -22,6 +22,7 @@
 
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
+#include "ew/widgets/picture_image.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "logic/until_told.h"
@@ -39,10 +40,6 @@ SourceField::Kind kindOf(const CaseSource& source) {
   if (std::holds_alternative<SweepFile>(source)) return SourceField::Kind::sweep;
   if (std::holds_alternative<StitchingResult>(source)) return SourceField::Kind::stitched;
   return SourceField::Kind::nothing;
-}
-
-QImage imageOf(const GreyImage& grey) {
-  return QImage(grey.pixels.data(), grey.width, grey.height, grey.width, QImage::Format_Grayscale8).copy();
 }
 
 void setShown(QFormLayout& form, QWidget* field, bool isShown) {
@@ -361,7 +358,7 @@ void SourceField::showSide() {
                               "comes to lie at the top."));
   sideImage_->clear();
   if (!chosen || seen_.echo.empty()) return;
-  const QImage image = imageOf(middleImage(seen_, axesFrom(seen_.grid, *chosen), kImageEdge_px));
+  const QImage image = imageOf(viewOf(middleImage(seen_, axesFrom(seen_.grid, *chosen), kImageEdge_px))).copy();
   sideImage_->setPixmap(QPixmap::fromImage(image));
 }
 

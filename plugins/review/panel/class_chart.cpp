@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ew/core/chart_axis.h"
+#include "ew/widgets/chart_card.h"
 #include "ew/widgets/theme.h"
 #include "panel/class_page.h"
 #include "panel/review_words.h"
@@ -45,16 +46,8 @@ double DistributionChart::xOf(double value, const QRectF& box) const {
 
 void DistributionChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(palette().color(QPalette::Base));
-  painter.drawRoundedRect(rect(), 4, 4);
-  painter.setFont(smallFont());
-  if (values_.values.empty()) {
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap, tr("Nobody has a value here yet"));
-    return;
-  }
+  paintChartCard(painter, *this);
+  if (values_.values.empty()) return paintEmptyChart(painter, *this, tr("Nobody has a value here yet"));
   const double words = scaled(20);
   const QRectF box(4 * kGrid_px, 2 * kGrid_px, width() - 6.0 * kGrid_px, height() - 2.0 * kGrid_px - words - 4.0);
   const double boxHigh = scaled(28);

@@ -4,26 +4,9 @@
 #include <utility>
 
 #include "ew/scanning/replay.h"
+#include "ew/widgets/picture_image.h"
 
 namespace ew::review {
-namespace {
-
-QImage imageOf(const Picture& picture) {
-  QImage image(picture.width(), picture.height(), QImage::Format_RGB32);
-  for (int y = 0; y < picture.height(); ++y) {
-    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-    const std::uint8_t* grey = picture.grey.row(y);
-    for (int x = 0; x < picture.width(); ++x) {
-      const Rgb below(grey[x]);
-      const Rgb seen = picture.hasColour() ? over(picture.colour.row(y)[x], below) : below;
-      line[x] = qRgb(seen.r, seen.g, seen.b);
-    }
-  }
-  return image;
-}
-
-}  // namespace
-
 ImageMaker::ImageMaker(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}
 
 ImageMaker::~ImageMaker() {
@@ -73,7 +56,7 @@ void ImageMaker::run() {
       const ScanLog& log = source->scan->recording.log;
       if (source != at) replay = std::make_unique<Replay>(log, source->subject);
       at = source;
-      made->image = imageOf(replay->make(wish.frame, wish.size_px.width(), wish.size_px.height()));
+      made->image = imageOf(replay->make(wish.frame, wish.size_px.width(), wish.size_px.height())).copy();
       made->geometry = replay->scanner().geometry();
       made->frame = wish.frame;
       made->state = log.frame(wish.frame);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/widgets/chart_card.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/theme.h"
 #include "panel/stitch_session.h"
@@ -17,13 +18,10 @@ namespace {
 
 using registration::ElasticEffort;
 
-/// The sunken card that charts are drawn on, in small type.
+/// The shared card, in type for a low chart.
 void paintCard(QPainter& painter, const QWidget& on) {
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(on.palette().color(QPalette::Base));
-  painter.drawRoundedRect(on.rect(), 4, 4);
-  QFont font = on.font();
+  paintChartCard(painter, on);
+  QFont font = painter.font();
   font.setPixelSize(scaled(11));
   painter.setFont(font);
 }
@@ -64,12 +62,9 @@ void LevelChart::paintEvent(QPaintEvent*) {
   auto levels = runs_.levels(look_.pair());
   const std::size_t matched = levels.size();
   for (const auto& level : runs_.warpLevels(look_.pair())) levels.push_back(level);
-  if (levels.empty()) {
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                     runs_.isRunning() ? tr("The curve grows while the pair is matched") : tr("No levels yet: match the pair"));
-    return;
-  }
+  if (levels.empty())
+    return paintEmptyChart(painter, *this,
+                           runs_.isRunning() ? tr("The curve grows while the pair is matched") : tr("No levels yet: match the pair"));
   const LevelPlot plot(levels, QRectF(rect()).adjusted(36, 16, -16, -24));
   paintGrid(painter, plot);
   // Matching and bending measure correlation on other images: two curves side by side, not one.
@@ -188,12 +183,8 @@ int CostChart::under(const QPointF& place) const {
 void CostChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintCard(painter, *this);
+  if (!costs_) return paintEmptyChart(painter, *this, tr("Known once both volumes are read"));
   const QColor quiet = palette().color(QPalette::PlaceholderText);
-  if (!costs_) {
-    painter.setPen(quiet);
-    painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap, tr("Known once both volumes are read"));
-    return;
-  }
   const QRectF in = box();
   painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
   painter.drawLine(in.bottomLeft(), in.bottomRight());

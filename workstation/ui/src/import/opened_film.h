@@ -34,6 +34,4 @@ struct OpenedFilm {
   int cleanerOf = -1;
 };
 
-[[nodiscard]] QImage greyImageOf(const GreyImage& picture);
-
 }  // namespace ew::ui

@@ -25,6 +25,7 @@
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/picture_image.h"
 #include "ew/widgets/question.h"
 #include "ew/widgets/save_file.h"
 #include "ew/widgets/small_result_question.h"
@@ -307,7 +308,7 @@ void ScreenDialog::take(const std::shared_ptr<OpenedFilm>& opened) {
     shownFrame_ = -1;
   }
   const FoundScreen& found = edit_->found();
-  if (shownFrame_ < 0) view_->setPicture(greyImageOf(opened->screen.picture), {0, 0}, {found.width_px, found.height_px});
+  if (shownFrame_ < 0) view_->setPicture(imageOf(viewOf(opened->screen.picture)).copy(), {0, 0}, {found.width_px, found.height_px});
   view_->setEdit(&*edit_);
   const QSignalBlocker quiet(frames_);
   frames_->setRange(0, static_cast<int>(opened->screen.times_s.size()) - 1);

@@ -6,6 +6,7 @@
 
 #include "ew/core/chart_axis.h"
 #include "ew/imaging/cost_of_accuracy.h"
+#include "ew/widgets/chart_card.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/theme.h"
 
@@ -131,19 +132,12 @@ void CostChart::show(std::vector<Point> points, double wished_db, const QString&
 void CostChart::paintEvent(QPaintEvent*) {
   const Theme& theme = currentTheme();
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme.ground);
-  painter.drawRoundedRect(rect(), 6, 6);
-  painter.setBrush(Qt::NoBrush);
+  paintChartCard(painter, *this);
   if (points_.empty()) {
     painter.setFont(textFont());
-    painter.setPen(theme.quiet);
-    painter.drawText(rect().adjusted(40, 24, -40, -24), Qt::AlignCenter | Qt::TextWordWrap, empty_);
-    return;
+    return paintEmptyChart(painter, *this, empty_);
   }
   const Plot plot = plotOf(points_, wished_db_, size());
-  painter.setFont(smallFont());
   paintGrid(painter, plot, theme);
   paintTitles(painter, plot, width(), theme);
   // The accuracy that is asked for: what lies above it will do.
