@@ -2,8 +2,6 @@
 
 #include "ew/widgets/picture_image.h"
 
-#include <cstring>
-
 namespace ew::ui {
 
 Result<void> OpenedFilm::read(FilmFrame& shown, const std::optional<ScreenGeometry>& geometry, Progress& progress) {
