@@ -34,33 +34,16 @@ const Annotation* Annotations::find(int number) const {
   return found == all.end() ? nullptr : &*found;
 }
 
-template <class Edit>
-bool AnnotationList::edit(int number, Change change, Edit edit) {
-  Annotations next = now();
-  const auto found = std::find_if(next.all.begin(), next.all.end(), [&](const Annotation& each) { return each.number == number; });
-  if (found == next.all.end() || !edit(*found)) return false;
-  states_.step(std::move(next), change);
-  return true;
-}
-
 int AnnotationList::addText(glm::dvec2 at_mm, std::string_view text) {
   std::string line = oneLine(text, kLongestText);
   if (line.empty() || !isWithin(at_mm) || now().all.size() >= kMostAnnotations) return 0;
-  Annotations next = now();
-  const int number = next.nextNumber++;
-  next.all.push_back({number, AnnotationKind::text, at_mm, at_mm, std::move(line)});
-  states_.step(std::move(next));
-  return number;
+  return add(Annotation{0, AnnotationKind::text, at_mm, at_mm, std::move(line)});
 }
 
 int AnnotationList::addArrow(glm::dvec2 tail_mm, glm::dvec2 tip_mm) {
-  Annotation arrow{now().nextNumber, AnnotationKind::arrow, tip_mm, tail_mm, {}};
+  Annotation arrow{0, AnnotationKind::arrow, tip_mm, tail_mm, {}};
   if (!isWithin(tail_mm) || !isWithin(tip_mm) || !isLongEnough(arrow) || now().all.size() >= kMostAnnotations) return 0;
-  Annotations next = now();
-  ++next.nextNumber;
-  next.all.push_back(std::move(arrow));
-  states_.step(std::move(next));
-  return next.nextNumber - 1;
+  return add(std::move(arrow));
 }
 
 bool AnnotationList::move(int number, AnnotationPart part, glm::dvec2 by_mm, Change change) {
@@ -90,19 +73,6 @@ bool AnnotationList::removeLastWord(int number) {
   const auto blank = found->text.find_last_of(' ');
   if (found->kind != AnnotationKind::text || blank == std::string::npos) return remove(number);
   return setText(number, found->text.substr(0, blank));
-}
-
-bool AnnotationList::remove(int number) {
-  Annotations next = now();
-  if (std::erase_if(next.all, [&](const Annotation& each) { return each.number == number; }) == 0) return false;
-  states_.step(std::move(next));
-  return true;
-}
-
-bool AnnotationList::clear() {
-  if (now().all.empty()) return false;
-  states_.step({{}, now().nextNumber});
-  return true;
 }
 
 std::optional<AnnotationFound> annotationNear(const Annotations& annotations, glm::dvec2 p_mm, double reach_mm, const TextSizeOf& sizeOf) {

@@ -10,21 +10,8 @@ const Measurement* Measurements::find(int number) const {
   return found == all.end() ? nullptr : &*found;
 }
 
-template <class Edit>
-bool MeasurementList::edit(int number, Change change, Edit edit) {
-  Measurements next = now();
-  const auto found = std::find_if(next.all.begin(), next.all.end(), [&](const Measurement& each) { return each.number == number; });
-  if (found == next.all.end() || !edit(*found)) return false;
-  states_.step(std::move(next), change);
-  return true;
-}
-
 int MeasurementList::add(Caliper caliper, std::string name, std::string item, std::string side) {
-  Measurements next = now();
-  const int number = next.nextNumber++;
-  next.all.push_back({number, std::move(name), std::move(item), std::move(side), std::move(caliper)});
-  states_.step(std::move(next));
-  return number;
+  return NumberedHistory::add(Measurement{0, std::move(name), std::move(item), std::move(side), std::move(caliper)});
 }
 
 bool MeasurementList::setCaliper(int number, Caliper caliper, Change change) {
@@ -41,19 +28,6 @@ bool MeasurementList::assign(int number, std::string item, std::string side) {
     measurement.side = std::move(side);
     return true;
   });
-}
-
-bool MeasurementList::remove(int number) {
-  Measurements next = now();
-  if (std::erase_if(next.all, [&](const Measurement& each) { return each.number == number; }) == 0) return false;
-  states_.step(std::move(next));
-  return true;
-}
-
-bool MeasurementList::clear() {
-  if (now().all.empty()) return false;
-  states_.step({{}, now().nextNumber});
-  return true;
 }
 
 std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm, glm::dvec2 scale) {

@@ -51,14 +51,9 @@ enum class AnnotationPart {
 };
 
 /// The annotations of a picture with undo and redo. Not for several threads at once; the states are.
-class AnnotationList {
+class AnnotationList : public NumberedHistory<Annotations> {
  public:
-  AnnotationList() = default;
-  explicit AnnotationList(Annotations annotations) : states_(std::move(annotations)) {}
-
-  [[nodiscard]] const Annotations& now() const { return states_.now(); }
-  /// The same, to be kept: it stays as it is whatever happens to the list.
-  [[nodiscard]] std::shared_ptr<const Annotations> kept() const { return states_.kept(); }
+  using NumberedHistory::NumberedHistory;
 
   /// Returns its number, or 0 and no step when the place is not finite, the list is full, or of the text nothing is left once blanks and
   /// ends of lines at both ends are taken away. Ends of lines within become blanks; what is longer than kLongestText is cut at a letter.
@@ -71,19 +66,6 @@ class AnnotationList {
   bool setText(int number, std::string_view text);
   /// The last word of a text, or the text with it when it is the only one; an arrow as a whole.
   bool removeLastWord(int number);
-  bool remove(int number);
-  bool clear();  ///< false when there is nothing
-
-  [[nodiscard]] bool canUndo() const { return states_.canUndo(); }
-  [[nodiscard]] bool canRedo() const { return states_.canRedo(); }
-  bool undo() { return states_.undo(); }
-  bool redo() { return states_.redo(); }
-
- private:
-  template <class Edit>
-  bool edit(int number, Change change, Edit edit);
-
-  History<Annotations> states_;
 };
 
 /// What of the annotations lies at a point.

@@ -114,4 +114,57 @@ class History {
   std::string mergeKey_;
 };
 
+/// Numbered entries with undo and redo. Not for several threads at once; the states are.
+/// @tparam List has the entries as `all`, each with its `number`, and the number of the next as `nextNumber`
+template <class List>
+class NumberedHistory {
+ public:
+  explicit NumberedHistory(List first = {}) : states_(std::move(first)) {}
+
+  [[nodiscard]] const List& now() const { return states_.now(); }
+  /// The same, to be kept: it stays as it is whatever happens here.
+  [[nodiscard]] std::shared_ptr<const List> kept() const { return states_.kept(); }
+
+  bool remove(int number) {
+    List next = now();
+    if (std::erase_if(next.all, [&](const auto& each) { return each.number == number; }) == 0) return false;
+    states_.step(std::move(next));
+    return true;
+  }
+  bool clear() {  ///< false when there is nothing
+    if (now().all.empty()) return false;
+    states_.step({{}, now().nextNumber});
+    return true;
+  }
+
+  [[nodiscard]] bool canUndo() const { return states_.canUndo(); }
+  [[nodiscard]] bool canRedo() const { return states_.canRedo(); }
+  bool undo() { return states_.undo(); }
+  bool redo() { return states_.redo(); }
+
+ protected:
+  /// A step in which `edit` changes the entry of that number. @return whether there is one and it did
+  template <class Edit>
+  bool edit(int number, Change change, Edit edit) {
+    List next = now();
+    const auto found = std::find_if(next.all.begin(), next.all.end(), [&](const auto& each) { return each.number == number; });
+    if (found == next.all.end() || !edit(*found)) return false;
+    states_.step(std::move(next), change);
+    return true;
+  }
+  /// Adds an entry with the next number. @return its number
+  template <class Entry>
+  int add(Entry entry) {
+    List next = now();
+    entry.number = next.nextNumber++;
+    const int number = entry.number;
+    next.all.push_back(std::move(entry));
+    states_.step(std::move(next));
+    return number;
+  }
+
+ private:
+  History<List> states_;
+};
+
 }  // namespace ew

@@ -50,14 +50,9 @@ struct Handle {
 using ew::Change;
 
 /// The measurements of a picture with undo and redo (core/history.h). Not for several threads at once; the states are.
-class MeasurementList {
+class MeasurementList : public NumberedHistory<Measurements> {
  public:
-  MeasurementList() = default;
-  explicit MeasurementList(Measurements measurements) : states_(std::move(measurements)) {}
-
-  [[nodiscard]] const Measurements& now() const { return states_.now(); }
-  /// The same, to be kept: it stays as it is whatever happens to the list.
-  [[nodiscard]] std::shared_ptr<const Measurements> kept() const { return states_.kept(); }
+  using NumberedHistory::NumberedHistory;
 
   /// Returns its number. @param caliper as measure() takes it, or with points still to come
   int add(Caliper caliper, std::string name = {}, std::string item = {}, std::string side = {});
@@ -65,19 +60,6 @@ class MeasurementList {
   bool setCaliper(int number, Caliper caliper, Change change = Change::begins);
   bool rename(int number, std::string name);
   bool assign(int number, std::string item, std::string side = {});
-  bool remove(int number);
-  bool clear();  ///< false when there is nothing
-
-  [[nodiscard]] bool canUndo() const { return states_.canUndo(); }
-  [[nodiscard]] bool canRedo() const { return states_.canRedo(); }
-  bool undo() { return states_.undo(); }
-  bool redo() { return states_.redo(); }
-
- private:
-  template <class Edit>
-  bool edit(int number, Change change, Edit edit);
-
-  History<Measurements> states_;
 };
 
 /// The handle nearest to a point of a picture within reach, and whose it is. @param scale of differences of x and y before they are
