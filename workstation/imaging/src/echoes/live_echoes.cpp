@@ -35,6 +35,7 @@ void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   losses_.configure(layout_, probe, scene, knobs.carrier_hz);
   reverberation_.configure(layout_, scene);
   reduction_.configure(layout_);
+  noiseOf_.reset();
   layHaze(effect.haze_db);
 }
 
@@ -134,12 +135,15 @@ void LiveEchoes::reverberate(const SliceSource& labels, const Transform<frame::V
 }
 
 void LiveEchoes::addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, Bands&) {
-  noise_.resize(static_cast<std::size_t>(layout_.columns));
-  for (int column = 0; column < layout_.columns; ++column) {
-    const double level_db = noiseLevel_db(noise, carrier_hz_, std::max(layout_.depthOfColumn_mm(column), 0.0));
-    // The pulse's filter has the power 1 / spacing.
-    noise_[static_cast<std::size_t>(column)] =
-        static_cast<float>(std::sqrt(0.5 * std::pow(10.0, 0.1 * level_db) * layout_.grid.sampleSpacing_mm));
+  if (noiseOf_ != noise) {
+    noiseOf_ = noise;
+    noise_.resize(static_cast<std::size_t>(layout_.columns));
+    for (int column = 0; column < layout_.columns; ++column) {
+      const double level_db = noiseLevel_db(noise, carrier_hz_, std::max(layout_.depthOfColumn_mm(column), 0.0));
+      // The pulse's filter has the power 1 / spacing.
+      noise_[static_cast<std::size_t>(column)] =
+          static_cast<float>(std::sqrt(0.5 * std::pow(10.0, 0.1 * level_db) * layout_.grid.sampleSpacing_mm));
+    }
   }
   noiseKey_ = spread(frameNumber + 0x9e3779b97f4a7c15ULL);
 }

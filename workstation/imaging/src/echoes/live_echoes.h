@@ -67,7 +67,8 @@ class LiveEchoes {
   std::ptrdiff_t stride_ = 0;
   std::vector<std::int32_t> fine_;  ///< the fine grid: rows x columns complex numbers, and one column more
   std::ptrdiff_t fineStride_ = 0;
-  std::vector<float> noise_;  ///< strength by column
+  std::vector<float> noise_;            ///< strength by column
+  std::optional<NoiseEffect> noiseOf_;  ///< that it is of; none: it has not been made
   std::optional<std::uint64_t> noiseKey_;
   struct Lobe {
     float weight = 0.0F;
