@@ -76,17 +76,29 @@ void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Trans
   task.field = fine_.data();
   task.stride = static_cast<std::int32_t>(fineStride_);
   bands.run(layout_.rows, [&](int first, int count, int) { std::fill_n(fine_.data() + first * fineStride_, count * fineStride_, 0); });
-  // Every other piece, then those between: two threads never add to the same place.
+  const auto addPart = [&](int piece, PartOfPiece part, int slot) {
+    Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
+    findBlocks(layout_, place, motion_, level.grid.dims, piece, part, mine.shifts, mine.blocks);
+    addScatterers(task, mine.blocks.data(), mine.blocks.size());
+  };
+  // Every other piece, then those between: two threads never add to the same place. Deep ones, which hold most, come first.
   const int pieces = piecesOf(layout_);
+  const bool isHalved = bands.threads() > 1 && hasSides(layout_);
+  for (const int odd : {0, 1}) {
+    const int count = (pieces + 1 - odd) / 2;
+    if (isHalved)
+      bands.runEach(2 * count, [&](int n, int slot) {
+        addPart(2 * (count - 1 - n / 2) + odd, n % 2 == 0 ? PartOfPiece::left : PartOfPiece::right, slot);
+      });
+  }
   for (const int odd : {0, 1}) {
     const int count = (pieces + 1 - odd) / 2;
     bands.runEach(count, [&](int n, int slot) {
-      Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
-      const int piece = 2 * (count - 1 - n) + odd;  // deep ones hold most
-      findBlocks(layout_, place, motion_, level.grid.dims, piece, mine.shifts, mine.blocks);
-      addScatterers(task, mine.blocks.data(), mine.blocks.size());
+      const int piece = 2 * (count - 1 - n) + odd;
+      addPart(piece, isHalved ? PartOfPiece::between : PartOfPiece::all, slot);
       if (!(layout_.effect.fragmentsPerCm3 > 0.0)) return;
-      findBlocks(layout_, fragments, motion_, level.grid.dims, piece, mine.shifts, mine.blocks);
+      Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
+      findBlocks(layout_, fragments, motion_, level.grid.dims, piece, PartOfPiece::all, mine.shifts, mine.blocks);
       surfaces_.addFragments(level, fragments, mine.blocks, fine_.data(), fineStride_);
     });
   }

@@ -183,7 +183,8 @@ constexpr double kStretched = 1.25;  // of a block at the border of a piece
 
 /// Moves a block and stretches it about its middle.
 /// @param mostStretch_mm of a corner, so that the block stays within its piece
-void moveBlock(const BlockShifts& shifts, int i, double mostStretch_mm, ScatterBlock& block) {
+/// @return how far corners go at most
+double moveBlock(const BlockShifts& shifts, int i, double mostStretch_mm, ScatterBlock& block) {
   std::array<glm::vec3, 3> steps;
   float corner_mm = 0.0F;
   constexpr float kHalf = 0.5F * kBlockCells;
@@ -198,6 +199,50 @@ void moveBlock(const BlockShifts& shifts, int i, double mostStretch_mm, ScatterB
     block.stretch_mm[n] = scale * steps[n];
     block.shift_mm -= kHalf * block.stretch_mm[n];
   }
+  return static_cast<double>(scale * corner_mm);
+}
+
+/// @param off_mm so far from the middle a block stays on its side
+PartOfPiece partAt(double x_mm, double off_mm) {
+  if (x_mm < -off_mm) return PartOfPiece::left;
+  return x_mm > off_mm ? PartOfPiece::right : PartOfPiece::between;
+}
+
+/// Of the probe frame.
+struct Box {
+  glm::dvec3 from_mm{0.0}, to_mm{0.0};
+};
+
+/// Leaves what is surely in another part, before blocks are looked at one by one.
+/// @param least_mm, most_mm how far from the middle blocks that stay on their side may begin
+Box narrowTo(PartOfPiece part, double least_mm, double most_mm, Box box) {
+  constexpr double kRounded_mm = 1e-6;
+  if (part == PartOfPiece::left) box.to_mm.x = std::min(box.to_mm.x, kRounded_mm - least_mm);
+  if (part == PartOfPiece::right) box.from_mm.x = std::max(box.from_mm.x, least_mm - kRounded_mm);
+  if (part != PartOfPiece::between) return box;
+  box.from_mm.x = std::max(box.from_mm.x, -most_mm - kRounded_mm);
+  box.to_mm.x = std::min(box.to_mm.x, most_mm + kRounded_mm);
+  return box;
+}
+
+/// Blocks of a lattice, the last ones included.
+struct Region {
+  glm::ivec3 begin{0}, end{-1};
+};
+/// Those that a box of the probe frame touches, where there are voxels.
+Region regionOf(const EchoPlace& place, const glm::ivec3& dims, const Box& box) {
+  glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest(-lowest);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p(corner & 1 ? box.from_mm.x : box.to_mm.x, corner & 2 ? box.from_mm.y : box.to_mm.y,
+                       corner & 4 ? box.from_mm.z : box.to_mm.z);
+    const glm::dvec3 cell(place.probeToCell * glm::dvec4(p, 1.0));
+    lowest = glm::min(lowest, cell);
+    highest = glm::max(highest, cell);
+  }
+  lowest = glm::max(lowest, glm::dvec3(0.0));
+  highest = glm::min(highest, glm::dvec3(dims - 1) / place.voxelsPerCell);
+  if (!glm::all(glm::lessThan(lowest, highest))) return {};
+  return {glm::ivec3(glm::floor(lowest / double{kBlockCells})), glm::ivec3(glm::floor(highest / double{kBlockCells}))};
 }
 
 bool liesIn(const Piece& piece, const glm::dvec3& p_mm, const glm::dvec3& margin_mm) {
@@ -208,43 +253,40 @@ bool liesIn(const Piece& piece, const glm::dvec3& p_mm, const glm::dvec3& margin
 }  // namespace
 
 void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMotion& motion, const glm::ivec3& dims, int number,
-                BlockShifts& shifts, std::vector<ScatterBlock>& blocks) {
+                PartOfPiece part, BlockShifts& shifts, std::vector<ScatterBlock>& blocks) {
   blocks.clear();
   const BlockSize size = sizeOf(place);
   const double mostStretch_mm = 0.5 * kPiece_mm - kBent_mm - kApart_mm - size.radius_mm;
   EW_EXPECTS(mostStretch_mm > 0.0);
   const Piece piece = pieceOf(layout, size, number);
   const bool moves = motion.movesFrom(piece.nearest_mm);
+  // Two rows off the middle one, where they are widest.
+  const double aside_mm = size.radius_mm + 2.0 * layout.rowSpacing_mm(std::min(piece.farthest_mm, layout.depth_mm) + kPiece_mm);
   // Where what is seen rests.
-  glm::dvec3 from_mm = piece.lowest_mm, to_mm = piece.highest_mm;
+  Box whole{piece.lowest_mm, piece.highest_mm}, own = narrowTo(part, aside_mm, aside_mm + (moves ? mostStretch_mm : 0.0), whole);
   glm::dvec3 stretched_mm(0.0);
   double radius_mm = size.radius_mm;
   if (moves) {
     stretched_mm = (kStretched - 1.0) * size.half_mm;
     radius_mm *= kStretched;
     const EchoMotion::Reach back = motion.reachBetween(piece.nearest_mm, piece.farthest_mm);
-    from_mm += back.least_mm - stretched_mm;
-    to_mm += back.most_mm + stretched_mm;
+    for (Box* box : {&whole, &own}) {
+      box->from_mm += back.least_mm - stretched_mm;
+      box->to_mm += back.most_mm + stretched_mm;
+    }
   }
-  glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest(-lowest);
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p(corner & 1 ? from_mm.x : to_mm.x, corner & 2 ? from_mm.y : to_mm.y, corner & 4 ? from_mm.z : to_mm.z);
-    const glm::dvec3 cell(place.probeToCell * glm::dvec4(p, 1.0));
-    lowest = glm::min(lowest, cell);
-    highest = glm::max(highest, cell);
+  const auto [begin, end] = regionOf(place, dims, own);
+  if (moves && begin.z <= end.z) {
+    // Shifts are those of the whole piece, whichever part asks.
+    const Region all = regionOf(place, dims, whole);
+    shifts.begin(motion, place.cellToProbe, kBlockCells, all.begin, all.end);
   }
-  // Only where there are voxels.
-  lowest = glm::max(lowest, glm::dvec3(0.0));
-  highest = glm::min(highest, glm::dvec3(dims - 1) / place.voxelsPerCell);
-  if (!glm::all(glm::lessThan(lowest, highest))) return;
-  const glm::ivec3 begin(glm::floor(lowest / double{kBlockCells})), end(glm::floor(highest / double{kBlockCells}));
-  if (moves) shifts.begin(motion, place.cellToProbe, kBlockCells, begin, end);
   const glm::dvec3 blockStep(place.cellToProbe[0] * double{kBlockCells});
   for (int k = begin.z; k <= end.z; ++k)
     for (int j = begin.y; j <= end.y; ++j) {
       const glm::dvec3 start(place.cellToProbe * glm::dvec4(double{kBlockCells} * (glm::dvec3(0, j, k) + 0.5), 1.0));
       int first = begin.x, last = end.x;
-      for (const int axis : {2, 1, 0}) narrow(start[axis], blockStep[axis], from_mm[axis], to_mm[axis], first, last);
+      for (const int axis : {2, 1, 0}) narrow(start[axis], blockStep[axis], own.from_mm[axis], own.to_mm[axis], first, last);
       if (moves && first <= last) shifts.row(first, last, j, k);
       for (int i = first; i <= last; ++i) {
         glm::dvec3 middle_mm = start + static_cast<double>(i) * blockStep;
@@ -253,16 +295,18 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMoti
           if (!liesIn(piece, middle_mm, stretched_mm)) continue;
         }
         if (!belongs(layout.fan, piece, middle_mm, radius_mm)) continue;
+        ScatterBlock block;
+        const double stretch_mm = moves ? moveBlock(shifts, i, mostStretch_mm, block) : 0.0;
+        if (part != PartOfPiece::all && part != partAt(middle_mm.x, aside_mm + stretch_mm)) continue;
         const glm::dvec3 cell = double{kBlockCells} * glm::dvec3(i, j, k);
-        const glm::dvec3 voxel = cell * place.voxelsPerCell, whole = glm::floor(voxel);
-        ScatterBlock& block = blocks.emplace_back();
+        const glm::dvec3 voxel = cell * place.voxelsPerCell, low = glm::floor(voxel);
         for (int axis = 0; axis < 3; ++axis)
           block.cell[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(kBlockCells * glm::ivec3(i, j, k)[axis]);
-        if (moves) moveBlock(shifts, i, mostStretch_mm, block);
         block.probe_mm = glm::vec3(glm::dvec3(place.cellToProbe * glm::dvec4(cell, 1.0)) + glm::dvec3(block.shift_mm));
-        block.voxel = glm::ivec3(whole);
-        block.voxelFraction = glm::vec3(voxel - whole);
+        block.voxel = glm::ivec3(low);
+        block.voxelFraction = glm::vec3(voxel - low);
         block.reach_mm = static_cast<float>(piece.reach_mm);
+        blocks.push_back(block);
       }
     }
 }

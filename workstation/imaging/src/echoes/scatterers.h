@@ -88,9 +88,13 @@ struct EchoPlace {
 /// The slab that the beams see is cut across them into pieces. A block belongs to the piece in which its middle lies, so that each is met
 /// once; what two pieces that are not neighbours add to the field does not overlap.
 [[nodiscard]] int piecesOf(const EchoLayout& layout);
+/// Of a piece: its blocks to the left and to the right of the fan's middle have no row in common, those between have some with either.
+enum class PartOfPiece { all, left, right, between };
+/// Whether pieces have such sides: not where lines are steered.
+[[nodiscard]] inline bool hasSides(const EchoLayout& layout) { return layout.fan.steering_rad == 0.0; }
 /// @param motion of the tissue: a block is moved, sheared and stretched with it
 /// @param shifts scratch memory
 void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMotion& motion, const glm::ivec3& dims, int piece,
-                BlockShifts& shifts, std::vector<ScatterBlock>& blocks);
+                PartOfPiece part, BlockShifts& shifts, std::vector<ScatterBlock>& blocks);
 
 }  // namespace ew::detail
