@@ -71,6 +71,12 @@ struct SurfaceMap {
     }
     return slopeToProbe * slope;
   }
+  /// Asks for the voxels around a crossing.
+  void announce(const glm::vec3& voxel) const {
+    const glm::ivec3 low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), maps.grid.dims - 2);
+    const std::uint8_t* first = maps.surfaceKind.data() + low.x + row * low.y + plane * low.z;
+    for (const std::ptrdiff_t more : {std::ptrdiff_t{0}, row, plane, row + plane}) __builtin_prefetch(first + more);
+  }
   /// The surface between whose voxels a crossing lies; none where those of several surfaces mix, between which distances jump.
   [[nodiscard]] const Strength* surfaceAt(const glm::vec3& voxel) const {
     const glm::ivec3 nearest(glm::floor(voxel + 0.5F)), low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), maps.grid.dims - 2);
@@ -225,14 +231,25 @@ void EchoSurfaces::addLines(int first, int count, const SurfaceMap& map, const E
     findCrossings({ways_, aside, ray.sigmas, elevation_mm_.data(), distances, motion.asRows(back_[n]),
                    static_cast<float>(layout_->depth_mm), map.blind_mm},
                   first, count, found);
-    for (const SurfaceCrossing& crossing : found) {
+    for (SurfaceCrossing& crossing : found) {
       const float range_mm = crossing.range_mm, off = ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)];
       const glm::vec3 straight = ways_.startOf(crossing.line) + range_mm * ways_.perMmOf(crossing.line) + off * aside;
-      const glm::vec3 at = straight + motion.backOn(back_[n], crossing.line, range_mm);
-      meet(crossing.line, range_mm, crossing.isEntering, ray.weight, map, at, slopeAt(n, crossing.line, range_mm, map, at, motion), fine,
-           stride);
+      crossing.at = straight + motion.backOn(back_[n], crossing.line, range_mm);
+      map.announce(crossing.at);
+      announce(crossing.line, range_mm, fine, stride);
     }
+    for (const auto& [line, range_mm, isEntering, at] : found)
+      meet(line, range_mm, isEntering, ray.weight, map, at, slopeAt(n, line, range_mm, map, at, motion), fine, stride);
   }
+}
+
+/// Asks for what a surface met there is added to.
+void EchoSurfaces::announce(int line, float range_mm, const std::int32_t* fine, std::ptrdiff_t stride) const {
+  const int column = layout_->columnPadding + static_cast<int>(range_mm / static_cast<float>(layout_->grid.sampleSpacing_mm));
+  const int first = line * layout_->rowsPerLine - layout_->rowsPerLine / 2 + layout_->rowPadding;
+  if (column >= layout_->columns - 1) return;
+  for (int row = std::max(first, 0); row < std::min(first + layout_->rowsPerLine, layout_->rows); ++row)
+    __builtin_prefetch(fine + row * stride + 2 * column, 1);
 }
 
 /// As the surface lies now: tissue that gives way turns it.

@@ -46,6 +46,7 @@ class EchoSurfaces {
                 std::int32_t* fine, std::ptrdiff_t stride) const;
   [[nodiscard]] glm::vec3 slopeAt(std::size_t ray, int line, float range_mm, const SurfaceMap& map, const glm::vec3& at,
                                   const EchoMotion& motion) const;
+  void announce(int line, float range_mm, const std::int32_t* fine, std::ptrdiff_t stride) const;
   /// @param at voxel @param slope of the distance there, in the probe frame
   void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at, const glm::vec3& slope,
             std::int32_t* fine, std::ptrdiff_t stride) const;
