@@ -11,7 +11,7 @@ const Measurement* Measurements::find(int number) const {
 }
 
 int MeasurementList::add(Caliper caliper, std::string name, std::string item, std::string side) {
-  return NumberedHistory::add(Measurement{0, std::move(name), std::move(item), std::move(side), std::move(caliper)});
+  return EntryHistory::add(Measurement{0, std::move(name), std::move(item), std::move(side), std::move(caliper)});
 }
 
 bool MeasurementList::setCaliper(int number, Caliper caliper, Change change) {

@@ -51,9 +51,9 @@ enum class AnnotationPart {
 };
 
 /// The annotations of a picture with undo and redo. Not for several threads at once; the states are.
-class AnnotationList : public NumberedHistory<Annotations> {
+class AnnotationList : public EntryHistory<Annotations> {
  public:
-  using NumberedHistory::NumberedHistory;
+  using EntryHistory::EntryHistory;
 
   /// Returns its number, or 0 and no step when the place is not finite, the list is full, or of the text nothing is left once blanks and
   /// ends of lines at both ends are taken away. Ends of lines within become blanks; what is longer than kLongestText is cut at a letter.

@@ -117,9 +117,9 @@ class History {
 /// Numbered entries with undo and redo. Not for several threads at once; the states are.
 /// @tparam List has the entries as `all`, each with its `number`, and the number of the next as `nextNumber`
 template <class List>
-class NumberedHistory {
+class EntryHistory {
  public:
-  explicit NumberedHistory(List first = {}) : states_(std::move(first)) {}
+  explicit EntryHistory(List first = {}) : states_(std::move(first)) {}
 
   [[nodiscard]] const List& now() const { return states_.now(); }
   /// The same, to be kept: it stays as it is whatever happens here.

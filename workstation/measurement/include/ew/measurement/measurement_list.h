@@ -50,9 +50,9 @@ struct Handle {
 using ew::Change;
 
 /// The measurements of a picture with undo and redo (core/history.h). Not for several threads at once; the states are.
-class MeasurementList : public NumberedHistory<Measurements> {
+class MeasurementList : public EntryHistory<Measurements> {
  public:
-  using NumberedHistory::NumberedHistory;
+  using EntryHistory::EntryHistory;
 
   /// Returns its number. @param caliper as measure() takes it, or with points still to come
   int add(Caliper caliper, std::string name = {}, std::string item = {}, std::string side = {});
