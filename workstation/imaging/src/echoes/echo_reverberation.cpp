@@ -159,7 +159,8 @@ void EchoReverberation::findFronts(const LabelBlend& blend, const EchoMotion& mo
   }
 }
 
-void EchoReverberation::add(int line, std::span<float> field, std::vector<float>& before) const {
+void EchoReverberation::add(int line, std::span<float> field, Scratch& scratch) const {
+  std::vector<float>& before = scratch.before;
   before.assign(field.begin(), field.end());
   if (!copies_.empty()) clutter(line, before.data(), field);
   if (effect_.shadowHaze_db > kNoHaze_db) haze(line, before.data(), field);
@@ -167,7 +168,7 @@ void EchoReverberation::add(int line, std::span<float> field, std::vector<float>
   if (front.range_mm < 0.0) return;
   const Echo echo = frontEcho(front, before.data());
   if (!(static_cast<double>(echo.amplitude) > amplitudeOf(kFaintest_db))) return;
-  ringDown(line, echo, field);
+  ringDown(line, echo, scratch, field);
   bounce(front, echo, before.data(), field);
   if (effect_.mirror && front.isLung) mirror(echo, before.data(), field);
 }
@@ -193,7 +194,7 @@ EchoReverberation::Echo EchoReverberation::frontEcho(const Front& front, const f
 }
 
 /// Patches run into one another over a few lines.
-void EchoReverberation::ringDown(int line, const Echo& echo, std::span<float> field) const {
+void EchoReverberation::ringDown(int line, const Echo& echo, Scratch& scratch, std::span<float> field) const {
   if (!(effect_.ringDown_db > kNoRingDown_db)) return;
   for (int aside = 1 - kPatchBlend; aside < kPatchBlend; ++aside) {
     const int other = line + aside;
@@ -204,31 +205,56 @@ void EchoReverberation::ringDown(int line, const Echo& echo, std::span<float> fi
     const double share = static_cast<double>(kPatchBlend - std::abs(aside)) / (kPatchBlend * kPatchBlend);
     const double more_db = kPatchSpread_db * static_cast<double>(normalOf(front.patch + 1)) - (front.isLung ? kTailLess_db : 0.0);
     const double fall = front.isLung ? kTailFalls : 1.0;
-    ring(front.patch, share * amplitudeOf(effect_.ringDown_db + more_db), fall * effect_.ringDownFall_dbPerMm, echo, field);
+    addRing(front.patch, share * amplitudeOf(effect_.ringDown_db + more_db), fall * effect_.ringDownFall_dbPerMm, echo,
+            scratch.rings[front.patch % scratch.rings.size()], field);
   }
   // What no patch shares: sound that wandered about between bubbles.
   const std::uint32_t own = spread(fronts_[static_cast<std::size_t>(line)].patch + static_cast<std::uint32_t>(line));
   if (!fronts_[static_cast<std::size_t>(line)].isLung)
-    ring(own, amplitudeOf(effect_.ringDown_db - kStrayLess_db), kStrayFalls * effect_.ringDownFall_dbPerMm, echo, field);
+    addRing(own, amplitudeOf(effect_.ringDown_db - kStrayLess_db), kStrayFalls * effect_.ringDownFall_dbPerMm, echo, scratch.own, field);
 }
 
-void EchoReverberation::ring(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, std::span<float> field) const {
-  const double stripe_mm = 1.0 + 2.0 * evenOf(key, 2), phase = evenOf(key, 3), sampleSpacing_mm = layout_->grid.sampleSpacing_mm;
-  const double perColumn = amplitudeOf(-fall_dbPerMm * sampleSpacing_mm);
-  double amplitude = static_cast<double>(noiseScale_ * echo.amplitude) * first;
-  const double faintest = static_cast<double>(noiseScale_) * amplitudeOf(kFaintest_db);
-  for (int column = echo.column + 1; column < layout_->columns && amplitude > faintest; ++column, amplitude *= perColumn) {
-    const double away_mm = (column - echo.column) * sampleSpacing_mm;
+namespace {
+
+/// Makes a ring as long as so many columns.
+void lengthen(EchoReverberation::Ring& ring, std::size_t columns) {
+  const double stripe_mm = 1.0 + 2.0 * evenOf(ring.key, 2), phase = evenOf(ring.key, 3);
+  for (std::size_t n = ring.strength.size() + 1; n <= columns; ++n) {
+    const double away_mm = static_cast<double>(n) * ring.sampleSpacing_mm;
     // It rises over the front's own echo.
     const double rise = std::min(1.0, away_mm / 0.8);
     const double turns = away_mm / stripe_mm + phase, part = turns - std::floor(turns);
     // Where the wave is surely below 0 nobody asks how far.
     const double wave = part > 0.26 && part < 0.74 ? 0.0 : std::max(0.0, std::cos(2.0 * std::numbers::pi * turns));
-    const double stripe = kStripeFloor + (1.0 - kStripeFloor) * wave;
-    const auto strength = static_cast<float>(rise * stripe * amplitude);
-    const std::uint32_t hash = spread(key + static_cast<std::uint32_t>(column - echo.column) * 0x85EBCA77U);
-    field[static_cast<std::size_t>(2 * column)] += strength * normalOf(hash);
-    field[static_cast<std::size_t>(2 * column + 1)] += strength * normalOf(hash ^ 0x5bd1e995U);
+    ring.strength.push_back(rise * (kStripeFloor + (1.0 - kStripeFloor) * wave));
+    const std::uint32_t hash = spread(ring.key + static_cast<std::uint32_t>(n) * 0x85EBCA77U);
+    ring.re.push_back(normalOf(hash));
+    ring.im.push_back(normalOf(hash ^ 0x5bd1e995U));
+  }
+}
+
+}  // namespace
+
+void EchoReverberation::addRing(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, Ring& ring,
+                                std::span<float> field) const {
+  const double sampleSpacing_mm = layout_->grid.sampleSpacing_mm;
+  if (ring.key != key || ring.sampleSpacing_mm != sampleSpacing_mm) {
+    ring.key = key;
+    ring.sampleSpacing_mm = sampleSpacing_mm;
+    ring.strength.clear();
+    ring.re.clear();
+    ring.im.clear();
+  }
+  constexpr std::size_t kMadeAtOnce = 16;  // columns
+  const double perColumn = amplitudeOf(-fall_dbPerMm * sampleSpacing_mm);
+  double amplitude = static_cast<double>(noiseScale_ * echo.amplitude) * first;
+  const double faintest = static_cast<double>(noiseScale_) * amplitudeOf(kFaintest_db);
+  for (int column = echo.column + 1; column < layout_->columns && amplitude > faintest; ++column, amplitude *= perColumn) {
+    const auto n = static_cast<std::size_t>(column - echo.column - 1);
+    if (n >= ring.strength.size()) lengthen(ring, n + kMadeAtOnce);
+    const auto strength = static_cast<float>(ring.strength[n] * amplitude);
+    field[static_cast<std::size_t>(2 * column)] += strength * ring.re[n];
+    field[static_cast<std::size_t>(2 * column + 1)] += strength * ring.im[n];
   }
 }
 

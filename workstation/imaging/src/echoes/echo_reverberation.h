@@ -40,10 +40,22 @@ class EchoReverberation {
   /// @param labels on a grid of their own
   /// @param motion of the body, in which the labels' tissue has gone elsewhere
   void find(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion, Bands& bands);
+  /// How a patch rings, column by column behind its front, for whatever echo set it off: noise of its own, in stripes.
+  struct Ring {
+    std::uint32_t key = 0;
+    double sampleSpacing_mm = 0.0;
+    std::vector<double> strength;  ///< as far as it was asked for
+    std::vector<float> re, im;
+  };
+  /// One for each thread: the line as it was, and rings of patches, which neighbouring lines and the next frames share.
+  struct Scratch {
+    std::vector<float> before;
+    std::array<Ring, 32> rings;
+    Ring own;
+  };
   /// Adds what comes back to a line of the field, after its losses.
-  /// @param field   2 x columns, complex numbers
-  /// @param before  scratch memory: the line as it was
-  void add(int line, std::span<float> field, std::vector<float>& before) const;
+  /// @param field 2 x columns, complex numbers
+  void add(int line, std::span<float> field, Scratch& scratch) const;
 
  private:
   struct Front {
@@ -57,9 +69,9 @@ class EchoReverberation {
   };
   void findFronts(const LabelBlend& blend, const EchoMotion& motion, int first, int count);
   [[nodiscard]] Echo frontEcho(const Front& front, const float* before) const;
-  void ringDown(int line, const Echo& echo, std::span<float> field) const;
+  void ringDown(int line, const Echo& echo, Scratch& scratch, std::span<float> field) const;
   /// One patch, from the front on: `first` of its echo, falling.
-  void ring(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, std::span<float> field) const;
+  void addRing(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, Ring& ring, std::span<float> field) const;
   void bounce(const Front& front, const Echo& echo, const float* before, std::span<float> field) const;
   void mirror(const Echo& echo, const float* before, std::span<float> field) const;
   void layClutter();

@@ -140,9 +140,9 @@ void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, f
 void LiveEchoes::reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands) {
   reverberation_.find(labels, probeToLabel, motion_, bands);
   bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
-    std::vector<float>& before = scratch_[static_cast<std::size_t>(slot)].line;
+    EchoReverberation::Scratch& mine = scratch_[static_cast<std::size_t>(slot)].reverberation;
     for (int line = first; line < first + count; ++line)
-      reverberation_.add(line, {lineAt(line), static_cast<std::size_t>(2 * layout_.columns)}, before);
+      reverberation_.add(line, {lineAt(line), static_cast<std::size_t>(2 * layout_.columns)}, mine);
   });
 }
 

@@ -48,6 +48,7 @@ class LiveEchoes {
   struct Scratch {
     std::vector<ScatterBlock> blocks;
     BlockShifts shifts;
+    EchoReverberation::Scratch reverberation;
     std::vector<float> line, turned, levels, gains;
   };
   [[nodiscard]] float* lineAt(int line) { return field_.data() + static_cast<std::ptrdiff_t>(line) * stride_; }
