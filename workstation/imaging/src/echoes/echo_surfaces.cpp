@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -34,29 +33,11 @@ struct SurfaceMap {
   std::vector<Strength> strengths;
   glm::mat4 probeToVoxel;
   glm::mat3 slopeToProbe;  ///< takes a slope over voxels to one over mm of the probe frame
-  glm::vec3 last = glm::vec3(maps.grid.dims - 1);
   std::ptrdiff_t row = maps.grid.dims.x;
   std::ptrdiff_t plane = row * maps.grid.dims.y;
   /// From a place that knows no surface at one of its voxels, this far nothing is missed.
   float blind_mm = std::max(kBlind_mm, static_cast<float>(TissueMaps::kSurfaceReach_mm - glm::length(maps.grid.spacing_mm) - 0.1));
 
-  /// Between voxels, mm; not a number where one of them knows no surface, and outside.
-  [[nodiscard]] float distanceAt(const glm::vec3& voxel) const {
-    if (!(voxel.x >= 0.0F && voxel.y >= 0.0F && voxel.z >= 0.0F && voxel.x < last.x && voxel.y < last.y && voxel.z < last.z))
-      return kUnknown;
-    const glm::ivec3 low(voxel);
-    const glm::vec3 t = voxel - glm::vec3(low);
-    const std::uint8_t* first = maps.surfaceDistance.data() + low.x + row * low.y + plane * low.z;
-    std::array<float, 4> along;
-    for (std::size_t n = 0; n < along.size(); ++n) {
-      const std::uint8_t* at = first + (n & 1 ? row : 0) + (n & 2 ? plane : 0);
-      if (at[0] == 0 || at[1] == 0) return kUnknown;
-      along[n] = static_cast<float>(at[0]) + t.x * static_cast<float>(at[1] - at[0]);
-    }
-    const float near = along[0] + t.y * (along[1] - along[0]), far = along[2] + t.y * (along[3] - along[2]);
-    constexpr auto kMmPerStep = static_cast<float>(1.0 / TissueMaps::kDistanceStepsPerMm);
-    return (near + t.z * (far - near) - 128.0F) * kMmPerStep;
-  }
   /// Slope of the distance between the voxels around a point where it is known, in the probe frame.
   [[nodiscard]] glm::vec3 slopeAt(const glm::vec3& voxel) const {
     const glm::ivec3 low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), maps.grid.dims - 2);
@@ -89,8 +70,6 @@ struct SurfaceMap {
     constexpr int kEnough = 6;
     return same >= kEnough ? &strengths[kind - 1] : nullptr;
   }
-
-  static constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 };
 
 namespace {
@@ -169,6 +148,8 @@ double unevenAt(const glm::dvec3& mm) {
 
 void EchoSurfaces::configure(const EchoLayout& layout) {
   layout_ = &layout;
+  lines_.clear();
+  for (const BeamGrid::Line& line : layout.grid.lines) lines_.emplace_back(glm::vec2(line.origin_mm), glm::vec2(line.direction));
   elevation_mm_.clear();
   for (double depth_mm = 0.0; depth_mm < layout.depth_mm + 2.0; depth_mm += 1.0)
     elevation_mm_.push_back(static_cast<float>(layout.beams.elevationalSigma_mm(depth_mm + 0.5)));
@@ -214,32 +195,47 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
     ways_.set(line, glm::vec3(map.probeToVoxel * glm::vec4(way.origin_mm, 0.0F, 1.0F)),
               glm::mat3(map.probeToVoxel) * glm::vec3(way.direction, 0.0F));
   }
-  found_.resize(static_cast<std::size_t>(bands.threads()));
+  scratch_.resize(static_cast<std::size_t>(bands.threads()));
   bands.runEach((lines + kSideBySide - 1) / kSideBySide, [&](int group, int slot) {
     const int first = group * kSideBySide;
-    addLines(first, std::min(kSideBySide, lines - first), map, motion, found_[static_cast<std::size_t>(slot)], fine, stride);
+    addLines(first, std::min(kSideBySide, lines - first), map, motion, scratch_[static_cast<std::size_t>(slot)], fine, stride);
   });
 }
 
-void EchoSurfaces::addLines(int first, int count, const SurfaceMap& map, const EchoMotion& motion, std::vector<SurfaceCrossing>& found,
-                            std::int32_t* fine, std::ptrdiff_t stride) const {
+void EchoSurfaces::addLines(int first, int count, const SurfaceMap& map, const EchoMotion& motion, Scratch& mine, std::int32_t* fine,
+                            std::ptrdiff_t stride) const {
   const ByteMap distances(map.maps.surfaceDistance.data(), map.maps.grid.dims);
   const glm::vec3 aside(map.probeToVoxel[2]);
+  const int lastLine = static_cast<int>(lines_.size()) - 1;
   for (std::size_t n = 0; n < kRays.size(); ++n) {
     const ElevationRay& ray = kRays[n];
-    found.clear();
-    findCrossings({ways_, aside, ray.sigmas, elevation_mm_.data(), distances, motion.asRows(back_[n]),
-                   static_cast<float>(layout_->depth_mm), map.blind_mm},
-                  first, count, found);
-    for (SurfaceCrossing& crossing : found) {
-      const float range_mm = crossing.range_mm, off = ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)];
-      const glm::vec3 straight = ways_.startOf(crossing.line) + range_mm * ways_.perMmOf(crossing.line) + off * aside;
-      crossing.at = straight + motion.backOn(back_[n], crossing.line, range_mm);
+    const SurfaceWalk walk{
+        ways_,       aside, ray.sigmas, elevation_mm_.data(), distances, motion.asRows(back_[n]), static_cast<float>(layout_->depth_mm),
+        map.blind_mm};
+    mine.found.clear();
+    mine.probes.clear();
+    findCrossings(walk, first, count, mine.found);
+    for (SurfaceCrossing& crossing : mine.found) {
+      const int line = crossing.line;
+      const float range_mm = crossing.range_mm, off_mm = ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)];
+      crossing.at = ways_.startOf(line) + range_mm * ways_.perMmOf(line) + off_mm * aside + motion.backOn(back_[n], line, range_mm);
       map.announce(crossing.at);
-      announce(crossing.line, range_mm, fine, stride);
+      announce(line, range_mm, fine, stride);
+      if (!motion.isPressed(range_mm)) continue;
+      for (const float there_mm : {range_mm + kFineStep_mm, std::max(range_mm - kFineStep_mm, 0.0F)})
+        mine.probes.push_back({line, there_mm, off_mm});
+      for (const int other : {std::min(line + 1, lastLine), std::max(line - 1, 0)}) mine.probes.push_back({other, range_mm, off_mm});
     }
-    for (const auto& [line, range_mm, isEntering, at] : found)
-      meet(line, range_mm, isEntering, ray.weight, map, at, slopeAt(n, line, range_mm, map, at, motion), fine, stride);
+    distancesOf(walk, map.probeToVoxel, lines_, mine.probes, mine.around_mm);
+    const float* around_mm = mine.around_mm.data();
+    for (const auto& [line, range_mm, isEntering, at] : mine.found) {
+      glm::vec3 slope = map.slopeAt(at) / static_cast<float>(TissueMaps::kDistanceStepsPerMm);
+      if (motion.isPressed(range_mm)) {
+        turn(line, range_mm, around_mm, slope);
+        around_mm += 4;
+      }
+      meet(line, range_mm, isEntering, ray.weight, map, at, slope, fine, stride);
+    }
   }
 }
 
@@ -253,25 +249,13 @@ void EchoSurfaces::announce(int line, float range_mm, const std::int32_t* fine, 
 }
 
 /// As the surface lies now: tissue that gives way turns it.
-glm::vec3 EchoSurfaces::slopeAt(std::size_t ray, int line, float range_mm, const SurfaceMap& map, const glm::vec3& at,
-                                const EchoMotion& motion) const {
-  const glm::vec3 rest = map.slopeAt(at) / static_cast<float>(TissueMaps::kDistanceStepsPerMm);
-  if (!motion.isPressed(range_mm)) return rest;
-  const float off_mm = kRays[ray].sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)];
-  const auto distanceOn = [&](int other, float there_mm) {
-    const BeamGrid::Line& its = layout_->grid.lines[static_cast<std::size_t>(other)];
-    const glm::vec3 place(glm::vec2(its.origin_mm) + there_mm * glm::vec2(its.direction), off_mm);
-    return map.distanceAt(glm::vec3(map.probeToVoxel * glm::vec4(place, 1.0F)) + motion.backOn(back_[ray], other, there_mm));
-  };
-  const auto lines = static_cast<int>(layout_->grid.lines.size());
-  const int low = std::max(line - 1, 0), high = std::min(line + 1, lines - 1);
-  if (low == high) return rest;
-  const float down = distanceOn(line, range_mm + kFineStep_mm) - distanceOn(line, std::max(range_mm - kFineStep_mm, 0.0F));
-  const float across = distanceOn(high, range_mm) - distanceOn(low, range_mm);
-  if (std::isnan(down) || std::isnan(across)) return rest;
+void EchoSurfaces::turn(int line, float range_mm, const float* around_mm, glm::vec3& slope) const {
+  const int low = std::max(line - 1, 0), high = std::min(line + 1, static_cast<int>(lines_.size()) - 1);
+  const float down = around_mm[0] - around_mm[1], across = around_mm[2] - around_mm[3];
+  if (low == high || std::isnan(down) || std::isnan(across)) return;
   const auto aside_mm = static_cast<float>((high - low) * layout_->grid.lineSpacing_mm(static_cast<double>(range_mm)));
-  const glm::vec2 alongLine(layout_->grid.lines[static_cast<std::size_t>(line)].direction);
-  return glm::vec3(down / (2.0F * kFineStep_mm) * alongLine + across / aside_mm * glm::vec2(alongLine.y, -alongLine.x), rest.z);
+  const glm::vec2 along(layout_->grid.lines[static_cast<std::size_t>(line)].direction);
+  slope = glm::vec3(down / (2.0F * kFineStep_mm) * along + across / aside_mm * glm::vec2(along.y, -along.x), slope.z);
 }
 
 void EchoSurfaces::meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at,

@@ -42,10 +42,14 @@ class EchoSurfaces {
                     std::ptrdiff_t stride) const;
 
  private:
-  void addLines(int first, int count, const SurfaceMap& map, const EchoMotion& motion, std::vector<SurfaceCrossing>& found,
-                std::int32_t* fine, std::ptrdiff_t stride) const;
-  [[nodiscard]] glm::vec3 slopeAt(std::size_t ray, int line, float range_mm, const SurfaceMap& map, const glm::vec3& at,
-                                  const EchoMotion& motion) const;
+  struct Scratch {
+    std::vector<SurfaceCrossing> found;
+    std::vector<SurfaceProbe> probes;  ///< four for each that is found where tissue gives way: below and above, line after and line before
+    std::vector<float> around_mm;
+  };
+  void addLines(int first, int count, const SurfaceMap& map, const EchoMotion& motion, Scratch& mine, std::int32_t* fine,
+                std::ptrdiff_t stride) const;
+  void turn(int line, float range_mm, const float* around_mm, glm::vec3& slope) const;
   void announce(int line, float range_mm, const std::int32_t* fine, std::ptrdiff_t stride) const;
   /// @param at voxel @param slope of the distance there, in the probe frame
   void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at, const glm::vec3& slope,
@@ -55,11 +59,12 @@ class EchoSurfaces {
   void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;
 
   const EchoLayout* layout_ = nullptr;
-  std::vector<float> elevation_mm_;                  ///< one standard deviation, by whole mm of depth
-  std::vector<float> scale_;                         ///< by column: of a surface's amplitude, to what is added to each row
-  LineWays ways_;                                    ///< in voxels
-  std::array<std::vector<glm::vec3>, 3> back_;       ///< by ray: EchoMotion::rowsOf, in voxels
-  std::vector<std::vector<SurfaceCrossing>> found_;  ///< scratch memory, by thread
+  std::vector<glm::vec4> lines_;                ///< origin and direction
+  std::vector<float> elevation_mm_;             ///< one standard deviation, by whole mm of depth
+  std::vector<float> scale_;                    ///< by column: of a surface's amplitude, to what is added to each row
+  LineWays ways_;                               ///< in voxels
+  std::array<std::vector<glm::vec3>, 3> back_;  ///< by ray: EchoMotion::rowsOf, in voxels
+  std::vector<Scratch> scratch_;                ///< by thread
 };
 
 }  // namespace ew::detail

@@ -29,14 +29,15 @@ using Places = std::array<hn::Vec<D>, 3>;
 
 /// Adds what rests where the lines are.
 template <class D>
-HWY_INLINE void addBack(D d, const EchoMotion::Rows& rows, int line, hn::Vec<D> range, hn::Mask<D> active, Places<D>& place) {
+HWY_INLINE void addBack(D d, const EchoMotion::Rows& rows, hn::Vec<hn::RebindToSigned<D>> lines, hn::Vec<D> range, hn::Mask<D> active,
+                        Places<D>& place) {
   const hn::RebindToSigned<D> di;
   const auto moving = hn::And(active, hn::Lt(range, hn::Set(d, rows.deepest_mm)));
   if (hn::AllFalse(d, moving)) return;
   const auto at = hn::Mul(hn::IfThenElseZero(moving, range), hn::Set(d, rows.perKnot));
   const auto knot = hn::Min(hn::ConvertTo(di, at), hn::Set(di, rows.knots - 2));
   const auto part = hn::Sub(at, hn::ConvertTo(d, knot));
-  const auto cell = hn::Add(hn::Mul(knot, hn::Set(di, rows.lines)), hn::Iota(di, line));
+  const auto cell = hn::Add(hn::Mul(knot, hn::Set(di, rows.lines)), lines);
   const auto near = hn::Add(hn::Add(cell, cell), cell), next = hn::Add(near, hn::Set(di, 3 * rows.lines));
   for (int axis = 0; axis < 3; ++axis) {
     const float* numbers = &rows.first->x + axis;
@@ -59,7 +60,7 @@ HWY_INLINE Places<D> placesAt(D d, const SurfaceWalk& walk, int line, hn::Vec<D>
         hn::Add(hn::LoadU(d, walk.ways.start[a].data() + line), hn::Mul(range, hn::LoadU(d, walk.ways.perMm[a].data() + line)));
     place[a] = hn::Add(along, hn::Mul(off, hn::Set(d, walk.aside_voxel[axis])));
   }
-  if (walk.back.first != nullptr) addBack(d, walk.back, line, range, active, place);
+  if (walk.back.first != nullptr) addBack(d, walk.back, hn::Iota(di, line), range, active, place);
   return place;
 }
 
@@ -128,6 +129,31 @@ void findCrossingsOf(const SurfaceWalk& walk, int first, int count, std::vector<
   forColumns(count, [&](auto d, int x) HWY_ATTR { walkLanes(d, walk, first + x, found); });
 }
 
+void distancesOfAll(const SurfaceWalk& walk, const glm::mat4& m, const std::vector<glm::vec4>& lines,
+                    const std::vector<SurfaceProbe>& probes, std::vector<float>& distance_mm) {
+  static_assert(sizeof(SurfaceProbe) == 12 && sizeof(glm::vec4) == 16);
+  forColumns(static_cast<int>(probes.size()), [&](auto d, int first) HWY_ATTR {
+    using D = decltype(d);
+    const hn::RebindToSigned<D> di;
+    hn::Vec<D> number, range, off;
+    hn::LoadInterleaved3(d, reinterpret_cast<const float*>(probes.data() + first), number, range, off);
+    const auto line = hn::BitCast(di, number), four = hn::ShiftLeft<2>(line);
+    const auto ofLine = [&](int part) HWY_ATTR { return hn::GatherIndex(d, &lines.data()->x + part, four); };
+    const auto x = hn::Add(ofLine(0), hn::Mul(range, ofLine(2))), y = hn::Add(ofLine(1), hn::Mul(range, ofLine(3)));
+    Places<D> place;
+    for (int axis = 0; axis < 3; ++axis) {  // as the product of a matrix and a point is added up elsewhere
+      const auto inSlice = hn::Add(hn::Mul(hn::Set(d, m[0][axis]), x), hn::Mul(hn::Set(d, m[1][axis]), y));
+      const auto beside = hn::Add(hn::Mul(hn::Set(d, m[2][axis]), off), hn::Set(d, m[3][axis]));
+      place[static_cast<std::size_t>(axis)] = hn::Add(inSlice, beside);
+    }
+    const auto all = hn::Eq(range, range);
+    if (walk.back.first != nullptr) addBack(d, walk.back, line, range, all, place);
+    auto distance = hn::Zero(d);
+    const auto known = distancesAt(d, walk.distances, place, all, distance);
+    hn::StoreU(hn::IfThenElse(known, distance, hn::Set(d, std::numeric_limits<float>::quiet_NaN())), d, distance_mm.data() + first);
+  });
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace ew::detail
@@ -137,9 +163,16 @@ HWY_AFTER_NAMESPACE();
 namespace ew::detail {
 
 HWY_EXPORT(findCrossingsOf);
+HWY_EXPORT(distancesOfAll);
 
 void findCrossings(const SurfaceWalk& walk, int first, int count, std::vector<SurfaceCrossing>& found) {
   HWY_DYNAMIC_DISPATCH(findCrossingsOf)(walk, first, count, found);
+}
+
+void distancesOf(const SurfaceWalk& walk, const glm::mat4& probeToVoxel, const std::vector<glm::vec4>& lines,
+                 const std::vector<SurfaceProbe>& probes, std::vector<float>& distance_mm) {
+  distance_mm.resize(probes.size());
+  HWY_DYNAMIC_DISPATCH(distancesOfAll)(walk, probeToVoxel, lines, probes, distance_mm);
 }
 
 }  // namespace ew::detail

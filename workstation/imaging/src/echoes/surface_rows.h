@@ -34,4 +34,15 @@ inline constexpr float kFineStep_mm = 0.3F;  ///< across a surface
 /// @param found more are added
 void findCrossings(const SurfaceWalk& walk, int first, int count, std::vector<SurfaceCrossing>& found);
 
+/// Distances to surfaces beside crossings, as tissue lies now.
+struct SurfaceProbe {
+  int line = 0;
+  float range_mm = 0.0F;
+  float off_mm = 0.0F;  ///< beside the slice
+};
+/// @param lines of the probe frame: (origin, direction) of each
+/// @param distance_mm of each place, not a number where none is known
+void distancesOf(const SurfaceWalk& walk, const glm::mat4& probeToVoxel, const std::vector<glm::vec4>& lines,
+                 const std::vector<SurfaceProbe>& probes, std::vector<float>& distance_mm);
+
 }  // namespace ew::detail
