@@ -2,7 +2,7 @@
 
 #include "ew/library/case.h"
 #include "ew/library/new_case.h"
-#include "library/small_case.h"
+#include "least_case.h"
 #include "library/temporary_folder.h"
 
 namespace ew::case_places_test {

@@ -10,7 +10,7 @@
 
 #include "ew/library/new_case.h"
 #include "ew/library/schema.h"
-#include "library/small_case.h"
+#include "least_case.h"
 #include "library/temporary_folder.h"
 
 namespace ew::case_test {
