@@ -64,7 +64,7 @@ class StoringTest : public WindowFixture {
     const QString folder = files_.writeCase(QStringLiteral("second"));
     auto manifest = nlohmann::json::parse(test::textOf((folder + QStringLiteral("/case.json")).toStdString()));
     manifest["id"] = "second";
-    changed.title = "Second";
+    manifest["title"] = "Second";
     test::writeText((folder + QStringLiteral("/case.json")).toStdString(), manifest.dump());
     return folder;
   }
