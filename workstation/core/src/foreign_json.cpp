@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "ew/core/json_fields.h"
 
@@ -38,7 +39,7 @@ const Json& memberOf(const Json& of, std::string_view key) {
 
 std::string textAt(const Json& of, std::string_view key, std::string fallback) {
   const Json& found = memberOf(of, key);
-  return found.is_string() ? found.get<std::string>() : fallback;
+  return found.is_string() ? found.get<std::string>() : std::move(fallback);
 }
 
 std::string wordsAt(const Json& of, std::string_view key) {
