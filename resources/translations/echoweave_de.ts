@@ -335,7 +335,7 @@
         <translation>Die Datei nennt zwei Voxelgrößen: %1 mm nach ihrer sform, die verwendet wurde, und %2 mm nach ihrem pixdim.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; holds both pictures (.png, .jpg, .pgm: %2) and DICOM files (%3), and one volume is made of one kind; put them into folders of their own.</source>
+        <source>&apos;%1&apos; holds both images (.png, .jpg, .pgm: %2) and DICOM files (%3), and one volume is made of one kind; put them into folders of their own.</source>
         <translation>„%1“ enthält sowohl Bilder (.png, .jpg, .pgm: %2) als auch DICOM-Dateien (%3), und ein Volumen entsteht aus einer Art; legen Sie sie in eigene Ordner.</translation>
     </message>
     <message>
@@ -407,7 +407,7 @@
         <translation>%1 enthält %2 DICOM-Dateien, mehr als verbunden werden (%3); weniger in den Ordner legen.</translation>
     </message>
     <message>
-        <source>%1 holds %2 packed pictures, but promises %3 frames; export it again.</source>
+        <source>%1 holds %2 packed images, but promises %3 frames; export it again.</source>
         <translation>%1 enthält %2 gepackte Bilder, verspricht aber %3; neu exportieren.</translation>
     </message>
     <message>
@@ -419,7 +419,7 @@
         <translation>%1 enthält unter den Standbildern von %3 eine Bildfolge mit %2 Bildern; sie für sich importieren.</translation>
     </message>
     <message>
-        <source>%1 holds no pictures (.png, .jpg, .pgm) and no DICOM files with pictures.</source>
+        <source>%1 holds no images (.png, .jpg, .pgm) and no DICOM files with images.</source>
         <translation>%1 enthält keine Bilder (.png, .jpg, .pgm) und keine DICOM-Dateien mit Bildern.</translation>
     </message>
     <message>
@@ -547,7 +547,7 @@
         <translation>Die Datei hat keine Ultraschallregion; die Größe eines Bildpunkts ist die ihres Pixel Spacing, %1 x %2 mm.</translation>
     </message>
     <message>
-        <source>The file has parts whose pixels differ in shape, so the pictures were left as they are; state the depth.</source>
+        <source>The file has parts whose pixels differ in shape, so the images were left as they are; state the depth.</source>
         <translation>Die Datei hat Teile, deren Bildpunkte verschieden geformt sind; die Bilder blieben deshalb, wie sie sind; die Tiefe angeben.</translation>
     </message>
     <message>
@@ -555,15 +555,15 @@
         <translation>Die Datei sagt nichts über die Zeiten ihrer Bilder, sie haben deshalb keine; eine Bildrate kann angegeben werden.</translation>
     </message>
     <message>
-        <source>The file says that it has %1 frame, but %2 pictures are stored in it; those beyond were not read.</source>
+        <source>The file says that it has %1 frame, but %2 images are stored in it; those beyond were not read.</source>
         <translation>Die Datei nennt %1 Bild, aber %2 sind gespeichert; die weiteren wurden nicht gelesen.</translation>
     </message>
     <message>
-        <source>The file says that it has %1 frames, but %2 pictures are stored in it; those beyond were not read.</source>
+        <source>The file says that it has %1 frames, but %2 images are stored in it; those beyond were not read.</source>
         <translation>Die Datei nennt %1 Bilder, aber %2 sind gespeichert; die weiteren wurden nicht gelesen.</translation>
     </message>
     <message>
-        <source>The file says that it has 0 frames; it was read as one picture.</source>
+        <source>The file says that it has 0 frames; it was read as one image.</source>
         <translation>Die Datei nennt 0 Bilder; sie wurde als ein Bild gelesen.</translation>
     </message>
     <message>
@@ -575,7 +575,7 @@
         <translation>%1 nennt auch %2; das ist hier nicht bekannt und wird nicht verwendet.</translation>
     </message>
     <message>
-        <source>%1 also states %2, which touches how many pictures there are and is not used.</source>
+        <source>%1 also states %2, which touches how many images there are and is not used.</source>
         <translation>%1 nennt auch %2; das betrifft die Zahl der Bilder und wird nicht verwendet.</translation>
     </message>
     <message>
@@ -623,7 +623,7 @@
         <translation>Die Matrix von Image nach %1 hat in der dritten Spalte 0, wie man es für flache Bilder schreibt; sie bekam die Dicke eines Bildpunkts.</translation>
     </message>
     <message>
-        <source>The pictures of %1 have text burned in, which may name the patient; name the rectangles to make black, or say that the text may stay.</source>
+        <source>The images of %1 have text burned in, which may name the patient; name the rectangles to make black, or say that the text may stay.</source>
         <translation>In die Bilder von %1 ist Text eingebrannt, der den Patienten nennen kann; die zu schwärzenden Rechtecke nennen oder sagen, dass der Text bleiben darf.</translation>
     </message>
     <message>
@@ -959,7 +959,7 @@
         <translation>Der Voxelabstand muss 0,1 bis 10 mm betragen.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; holds pictures one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.</source>
+        <source>&apos;%1&apos; holds images one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.</source>
         <translation>„%1“ enthält einzelne Bilder und kein Volumen; ein Fall braucht ein Volumen, eine Aufnahme mit Posen oder ein zusammengefügtes Ergebnis.</translation>
     </message>
     <message>
@@ -1191,19 +1191,19 @@
         <translation>Es wird nichts untersucht; warten, bis das Volumen des Falls gezeigt wird.</translation>
     </message>
     <message>
-        <source>There is no picture '%1'; choose another.</source>
+        <source>There is no image '%1'; choose another.</source>
         <translation>Ein Bild „%1“ gibt es nicht; ein anderes wählen.</translation>
     </message>
     <message>
-        <source>'%1' is neither a PNG nor a JPEG picture; choose one of these.</source>
+        <source>'%1' is neither a PNG nor a JPEG image; choose one of these.</source>
         <translation>„%1“ ist weder ein PNG- noch ein JPEG-Bild; ein solches wählen.</translation>
     </message>
     <message>
-        <source>The picture '%1' has more than 100 million pixels; make it smaller first.</source>
+        <source>The image '%1' has more than 100 million pixels; make it smaller first.</source>
         <translation>Das Bild „%1“ hat mehr als 100 Millionen Bildpunkte; es zuerst verkleinern.</translation>
     </message>
     <message>
-        <source>The picture '%1' cannot be read (%2); choose another.</source>
+        <source>The image '%1' cannot be read (%2); choose another.</source>
         <translation>Das Bild „%1“ kann nicht gelesen werden (%2); ein anderes wählen.</translation>
     </message>
     <message>
@@ -1731,7 +1731,7 @@
         <translation>%1 hat %2 Werte je Abtastwert, nötig ist einer oder eine Farbe; nur die Echopegel exportieren.</translation>
     </message>
     <message>
-        <source>%1 has %2 x %3 pixels, the first picture %4 x %5; put pictures of one size into the folder.</source>
+        <source>%1 has %2 x %3 pixels, the first image %4 x %5; put images of one size into the folder.</source>
         <translation>%1 hat %2 × %3 Pixel, das erste Bild %4 × %5; Bilder einer Größe in den Ordner legen.</translation>
     </message>
     <message>
@@ -1839,7 +1839,7 @@
         <translation>%1 hat die Farben %2 in %3 Abtastwerten je Pixel, was nicht gelesen wird; als MONOCHROME2 oder RGB exportieren.</translation>
     </message>
     <message>
-        <source>%1 holds %2 packed pictures or more, but promises %3 frames; export it again.</source>
+        <source>%1 holds %2 packed images or more, but promises %3 frames; export it again.</source>
         <translation>%1 enthält %2 gepackte Bilder oder mehr, verspricht aber %3; neu exportieren.</translation>
     </message>
     <message>
@@ -1863,7 +1863,7 @@
         <translation>%1 enthält %2 Volumen, aber keine Nummer %3; eine vorhandene wählen.</translation>
     </message>
     <message>
-        <source>%1 holds a single plane, not a volume; import it as a picture.</source>
+        <source>%1 holds a single plane, not a volume; import it as an image.</source>
         <translation>%1 enthält eine einzige Ebene und kein Volumen; als Bild importieren.</translation>
     </message>
     <message>
@@ -1879,7 +1879,7 @@
         <translation>%1 enthält mehr, als auf einmal gelesen werden darf.</translation>
     </message>
     <message>
-        <source>%1 holds no pictures (.png, .jpg, .pgm); choose a folder that does.</source>
+        <source>%1 holds no images (.png, .jpg, .pgm); choose a folder that does.</source>
         <translation>%1 enthält keine Bilder (.png, .jpg, .pgm); einen Ordner mit Bildern wählen.</translation>
     </message>
     <message>
@@ -1915,11 +1915,11 @@
         <translation>%1 ist XML, aber keine Kalibrierung: PlusConfiguration fehlt; die Kalibrierung angeben, mit der der Schwenk aufgenommen wurde.</translation>
     </message>
     <message>
-        <source>%1 is a DICOM file without a Kretz volume in it; import it as pictures.</source>
+        <source>%1 is a DICOM file without a Kretz volume in it; import it as images.</source>
         <translation>%1 ist eine DICOM-Datei ohne Kretz-Volumen; als Bilder importieren.</translation>
     </message>
     <message>
-        <source>%1 is a DICOM file without pictures; choose the file that holds the pictures.</source>
+        <source>%1 is a DICOM file without images; choose the file that holds the images.</source>
         <translation>%1 ist eine DICOM-Datei ohne Bilder; die Datei mit den Bildern wählen.</translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation>%1 ist eine Kretz-Datei ohne unkomprimiertes Grauvolumen; unkomprimiert oder als kartesisches Volumen exportieren.</translation>
     </message>
     <message>
-        <source>%1 is a damaged JPEG; save the picture again.</source>
+        <source>%1 is a damaged JPEG; save the image again.</source>
         <translation>%1 ist ein beschädigtes JPEG; das Bild neu speichern.</translation>
     </message>
     <message>
@@ -1939,7 +1939,7 @@
         <translation>%1 ist ein aufgezeichneter Schwenk, kein Volumen; zuerst rekonstruieren.</translation>
     </message>
     <message>
-        <source>%1 is a volume of %2 slices, not a picture; open it as a volume.</source>
+        <source>%1 is a volume of %2 slices, not an image; open it as a volume.</source>
         <translation>%1 ist ein Volumen mit %2 Schichten, kein Bild; als Volumen öffnen.</translation>
     </message>
     <message>
@@ -1959,7 +1959,7 @@
         <translation>%1 ist zu groß (%2, höchstens 8 MiB); prüfen, ob es die richtige Datei ist.</translation>
     </message>
     <message>
-        <source>%1 is no Enhanced US Volume: its pictures have no places in space; import it as a sequence of pictures.</source>
+        <source>%1 is no Enhanced US Volume: its images have no places in space; import it as a sequence of images.</source>
         <translation>%1 ist kein Enhanced US Volume: Die Bilder haben keinen Ort im Raum; als Bildfolge importieren.</translation>
     </message>
     <message>
@@ -1971,7 +1971,7 @@
         <translation>%1 ist keine DICOM-Datei; prüfen, was für eine Datei es ist.</translation>
     </message>
     <message>
-        <source>%1 is not a JPEG of 8 bits that can be read; save the picture again.</source>
+        <source>%1 is not a JPEG of 8 bits that can be read; save the image again.</source>
         <translation>%1 ist kein lesbares JPEG mit 8 Bit; das Bild neu speichern.</translation>
     </message>
     <message>
@@ -1995,11 +1995,11 @@
         <translation>%1 ist keine NRRD-Datei; prüfen, was für eine Datei es ist.</translation>
     </message>
     <message>
-        <source>%1 is not a PNG that can be read (%2); save the picture again.</source>
+        <source>%1 is not a PNG that can be read (%2); save the image again.</source>
         <translation>%1 ist kein lesbares PNG (%2); das Bild neu speichern.</translation>
     </message>
     <message>
-        <source>%1 is not a picture that can be read (%2); save it again.</source>
+        <source>%1 is not an image that can be read (%2); save it again.</source>
         <translation>%1 ist kein lesbares Bild (%2); neu speichern.</translation>
     </message>
     <message>
@@ -2171,11 +2171,11 @@
         <translation>Aus %2 zugeordneten Bildern lassen sich keine %1 Phasen machen; mindestens 1 und höchstens so viele Phasen verlangen, wie es Bilder gibt.</translation>
     </message>
     <message>
-        <source>%1 pictures were read in the order of their numbers: x to the right, y down, z from picture to picture, the origin in the first pixel of the first; which way they lie in the patient is not known.</source>
+        <source>%1 images were read in the order of their numbers: x to the right, y down, z from image to image, the origin in the first pixel of the first; which way they lie in the patient is not known.</source>
         <translation>%1 Bilder wurden in der Reihenfolge ihrer Nummern gelesen: x nach rechts, y nach unten, z von Bild zu Bild, der Ursprung im ersten Pixel des ersten; wie sie im Patienten liegen, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>%1 pixels of each picture cut away or made black, with any text in them.</source>
+        <source>%1 pixels of each image cut away or made black, with any text in them.</source>
         <translation>%1 Pixel jedes Bildes abgeschnitten oder geschwärzt, samt Text darin.</translation>
     </message>
     <message>
@@ -2195,7 +2195,7 @@
         <translation>%1 verspricht %2 Elemente „%3“; ein Netz mit höchstens %4 verwenden.</translation>
     </message>
     <message>
-        <source>%1 promises %2 pixels, but the limit is %3; save a smaller picture.</source>
+        <source>%1 promises %2 pixels, but the limit is %3; save a smaller image.</source>
         <translation>%1 verspricht %2 Pixel, die Grenze ist aber %3; ein kleineres Bild speichern.</translation>
     </message>
     <message>
@@ -2235,15 +2235,15 @@
         <translation>%1 enthält im Kopf „%2“, was nicht zu lesen ist; das Netz neu exportieren.</translation>
     </message>
     <message>
-        <source>%1 says its pictures are %2, but they are not stored so; export it again.</source>
+        <source>%1 says its images are %2, but they are not stored so; export it again.</source>
         <translation>%1 nennt die Bilder %2, sie sind aber nicht so gespeichert; neu exportieren.</translation>
     </message>
     <message>
-        <source>%1 says its pictures are uncompressed, but they are not stored so; export it again.</source>
+        <source>%1 says its images are uncompressed, but they are not stored so; export it again.</source>
         <translation>%1 nennt die Bilder unkomprimiert, sie sind aber nicht so gespeichert; neu exportieren.</translation>
     </message>
     <message>
-        <source>%1 shows %2 calibrated pictures %3 (%4); choose one of the regions.</source>
+        <source>%1 shows %2 calibrated images %3 (%4); choose one of the regions.</source>
         <translation>%1 zeigt %2 kalibrierte Bilder, %3 (%4); eine der Regionen wählen.</translation>
     </message>
     <message>
@@ -2283,7 +2283,7 @@
         <translation>%1 ließ sich nicht schreiben: %2; Ordner und freien Platz prüfen.</translation>
     </message>
     <message>
-        <source>a picture could not be added</source>
+        <source>an image could not be added</source>
         <translation>ein Bild ließ sich nicht anfügen</translation>
     </message>
     <message>
@@ -2355,11 +2355,11 @@
         <translation>%1; und weitere</translation>
     </message>
     <message>
-        <source>%2 has %1 region, no region %3; choose one that is there, or 0 for the whole picture.</source>
+        <source>%2 has %1 region, no region %3; choose one that is there, or 0 for the whole image.</source>
         <translation>%2 hat %1 Region, aber keine Region %3; eine vorhandene wählen oder 0 für das ganze Bild.</translation>
     </message>
     <message>
-        <source>%2 has %1 regions, no region %3; choose one that is there, or 0 for the whole picture.</source>
+        <source>%2 has %1 regions, no region %3; choose one that is there, or 0 for the whole image.</source>
         <translation>%2 hat %1 Regionen, aber keine Region %3; eine vorhandene wählen oder 0 für das ganze Bild.</translation>
     </message>
     <message>
@@ -2611,7 +2611,7 @@
         <translation>den Namen auf .mha oder .mhd enden lassen</translation>
     </message>
     <message>
-        <source>a picture</source>
+        <source>an image</source>
         <translation>ein Bild</translation>
     </message>
     <message>
@@ -2631,7 +2631,7 @@
         <translation>ein PDF-Dokument</translation>
     </message>
     <message>
-        <source>save the pictures in it as .png</source>
+        <source>save the images in it as .png</source>
         <translation>die Bilder darin als .png speichern</translation>
     </message>
     <message>
@@ -2871,7 +2871,7 @@
         <translation>Ein Teil des Falls im Zwischenspeicher war nicht zu gebrauchen und wurde neu gemacht. %1</translation>
     </message>
     <message>
-        <source>A picture of %1 x %2 pixels is too small for the words it must carry; give at least %3x%4, or write .mha.</source>
+        <source>An image of %1 x %2 pixels is too small for the words it must carry; give at least %3x%4, or write .mha.</source>
         <translation>Ein Bild von %1 × %2 Pixeln ist zu klein für die Worte, die es tragen muss; mindestens %3x%4 angeben oder .mha schreiben.</translation>
     </message>
     <message>
@@ -3431,11 +3431,11 @@
         <translation>Die Phasen wurden den Bildern entnommen: Welcher Augenblick Phase 0 ist, sagen sie nicht.</translation>
     </message>
     <message>
-        <source>Pictures do not say how large a pixel is and how far apart they lie; give the spacing in mm.</source>
+        <source>Images do not say how large a pixel is and how far apart they lie; give the spacing in mm.</source>
         <translation>Bilder sagen nicht, wie groß ein Pixel ist und wie weit sie auseinanderliegen; die Abstände in mm angeben.</translation>
     </message>
     <message>
-        <source>Pictures may have text burned in; check that they name nobody.</source>
+        <source>Images may have text burned in; check that they name nobody.</source>
         <translation>In Bilder kann Text eingebrannt sein; prüfen, dass sie niemanden nennen.</translation>
     </message>
     <message>
@@ -3503,7 +3503,7 @@
         <translation>Bilder werden an den Voxeln gelesen</translation>
     </message>
     <message>
-        <source>Reading pictures</source>
+        <source>Reading images</source>
         <translation>Bilder werden eingelesen</translation>
     </message>
     <message>
@@ -3571,7 +3571,7 @@
         <translation>Region %1 von %2 ist so nicht zu gebrauchen; die Größe eines Pixels in mm angeben oder eine andere Region wählen.</translation>
     </message>
     <message>
-        <source>Region %1 of %2 cannot be used; take the whole picture and give the size of a pixel in mm.</source>
+        <source>Region %1 of %2 cannot be used; take the whole image and give the size of a pixel in mm.</source>
         <translation>Region %1 von %2 ist nicht zu gebrauchen; das ganze Bild nehmen und die Größe eines Pixels in mm angeben.</translation>
     </message>
     <message>
@@ -3659,7 +3659,7 @@
         <translation>Oberflächen werden als .stl oder .ply geschrieben, nicht als %1; die Endung ändern.</translation>
     </message>
     <message>
-        <source>Text is burned into the pictures; check that what is left names nobody.</source>
+        <source>Text is burned into the images; check that what is left names nobody.</source>
         <translation>In die Bilder ist Text eingebrannt; prüfen, dass der verbliebene niemanden nennt.</translation>
     </message>
     <message>
@@ -3887,11 +3887,11 @@
         <translation>Die Einstellung %1 der Verlässlichkeit ist %2; einen Wert von %3 bis %4 wählen.</translation>
     </message>
     <message>
-        <source>The converted picture shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.</source>
+        <source>The converted image shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.</source>
         <translation>Das umgewandelte Bild soll Pixel von %1 × %2 mm haben; eine ScanConversion mit quadratischen Pixeln angeben.</translation>
     </message>
     <message>
-        <source>The converted pictures need %1 MiB of memory; convert them to fewer pixels.</source>
+        <source>The converted images need %1 MiB of memory; convert them to fewer pixels.</source>
         <translation>Die umgewandelten Bilder brauchen %1 MiB Speicher; in weniger Pixel umwandeln.</translation>
     </message>
     <message>
@@ -3987,7 +3987,7 @@
         <translation>Die Datei enthält auch ein Farb- oder Powerdoppler-Volumen, das weggelassen wurde.</translation>
     </message>
     <message>
-        <source>The file does not rule out text burned into the pictures; check that they name nobody.</source>
+        <source>The file does not rule out text burned into the images; check that they name nobody.</source>
         <translation>Die Datei schließt Text in den Bildern nicht aus; prüfen, dass sie niemanden nennen.</translation>
     </message>
     <message>
@@ -4351,35 +4351,35 @@
         <translation>Der Klickfehler der Landmarken muss eine Länge über 0 mm sein.</translation>
     </message>
     <message>
-        <source>The picture has no pixels, so %1 was not written.</source>
+        <source>The image has no pixels, so %1 was not written.</source>
         <translation>Das Bild hat keine Pixel; %1 wurde deshalb nicht geschrieben.</translation>
     </message>
     <message>
-        <source>The pictures are stored with black as the highest value (MONOCHROME1) and were turned over.</source>
+        <source>The images are stored with black as the highest value (MONOCHROME1) and were turned over.</source>
         <translation>In den Bildern ist Schwarz der höchste Wert (MONOCHROME1); sie wurden umgekehrt.</translation>
     </message>
     <message>
-        <source>The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 mm a pixel; the file does not say on which side the probe&apos;s marker is.</source>
+        <source>The images have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 mm a pixel; the file does not say on which side the probe&apos;s marker is.</source>
         <translation>Die Bilder haben keinen Ort im Raum: Picture zählt mm von der Mitte des linken oberen Pixels, x nach rechts, y nach unten, %1 × %2 mm je Pixel; die Datei sagt nicht, auf welcher Seite die Marke des Schallkopfs ist.</translation>
     </message>
     <message>
-        <source>The pictures of %1 are packed in a way that is not read (transfer syntax %2); export them uncompressed, as JPEG, JPEG-LS, JPEG 2000 or RLE.</source>
+        <source>The images of %1 are packed in a way that is not read (transfer syntax %2); export them uncompressed, as JPEG, JPEG-LS, JPEG 2000 or RLE.</source>
         <translation>Die Bilder von %1 sind so gepackt, wie es nicht gelesen wird (Transfersyntax %2); unkomprimiert, als JPEG, JPEG-LS, JPEG 2000 oder RLE exportieren.</translation>
     </message>
     <message>
-        <source>The pictures of %1 have text burned in, which may name the patient; choose a region, name the rectangles to make black, or say that the text may stay.</source>
+        <source>The images of %1 have text burned in, which may name the patient; choose a region, name the rectangles to make black, or say that the text may stay.</source>
         <translation>In die Bilder von %1 ist Text eingebrannt, der den Patienten nennen kann; eine Region wählen, die zu schwärzenden Rechtecke nennen oder angeben, dass der Text bleiben darf.</translation>
     </message>
     <message>
-        <source>The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a motor file or a file of poses does.</source>
+        <source>The images of this recording know the size of their pixels, but not where the probe was; say how it moved, as a motor file or a file of poses does.</source>
         <translation>Die Bilder dieser Aufnahme kennen die Größe ihrer Pixel, aber nicht den Ort des Schallkopfs; angeben, wie er sich bewegt hat, wie es eine Motordatei oder eine Datei mit Lagen tut.</translation>
     </message>
     <message>
-        <source>The pictures were cut to region %1.</source>
+        <source>The images were cut to region %1.</source>
         <translation>Die Bilder wurden auf Region %1 zugeschnitten.</translation>
     </message>
     <message>
-        <source>The pictures would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.</source>
+        <source>The images would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.</source>
         <translation>Die Bilder bräuchten %1 Byte Speicher, die Grenze ist aber %2; weniger oder kleinere nehmen.</translation>
     </message>
     <message>
@@ -4623,7 +4623,7 @@
         <translation>Die Aufnahme hat „%1“ im Feld %2 (erwartet: %3); das Feld berichtigen oder den Motor in einer Datei beschreiben.</translation>
     </message>
     <message>
-        <source>The recording has %1 scan lines of %2 samples; a picture needs at least 2 of each.</source>
+        <source>The recording has %1 scan lines of %2 samples; an image needs at least 2 of each.</source>
         <translation>Die Aufnahme hat %1 Bildzeilen mit %2 Abtastwerten; ein Bild braucht von beiden mindestens 2.</translation>
     </message>
     <message>
@@ -4671,7 +4671,7 @@
         <translation>Die Pixel der Aufnahme passen nicht zu ihrer Größe; %1 wurde deshalb nicht geschrieben.</translation>
     </message>
     <message>
-        <source>The region counts its own mm from pixel (%1, %2) of the cut picture, where x is %3 and y is %4.</source>
+        <source>The region counts its own mm from pixel (%1, %2) of the cut image, where x is %3 and y is %4.</source>
         <translation>Die Region zählt eigene mm ab Pixel (%1, %2) des zugeschnittenen Bildes, wo x gleich %3 und y gleich %4 ist.</translation>
     </message>
     <message>
@@ -5015,7 +5015,7 @@
         <translation>Die Gewichte von Bild %1 haben %2 × %3 Werte für %4 × %5 Pixel; zu jedem Pixel ein Gewicht angeben.</translation>
     </message>
     <message>
-        <source>The whole picture of %1 has no size of a pixel of its own; give it in mm.</source>
+        <source>The whole image of %1 has no size of a pixel of its own; give it in mm.</source>
         <translation>Das ganze Bild von %1 nennt keine eigene Größe eines Pixels; sie in mm angeben.</translation>
     </message>
     <message>
@@ -5119,7 +5119,7 @@
         <translation>Für „%1“ der Erweiterung „%2“ reicht der Speicher nicht; einen gröberen Voxelabstand oder eine kleinere Eingabe nehmen.</translation>
     </message>
     <message>
-        <source>There is not enough memory for a picture of %1; close other programs.</source>
+        <source>There is not enough memory for an image of %1; close other programs.</source>
         <translation>Für ein Bild von %1 reicht der Speicher nicht; andere Programme schließen.</translation>
     </message>
     <message>
@@ -5139,7 +5139,7 @@
         <translation>Für die Bilder dieses Schwenks reicht der Speicher nicht; weniger Bilder oder ein größeres pixel_mm nehmen.</translation>
     </message>
     <message>
-        <source>There is not enough memory for the pictures of %1; close other programs.</source>
+        <source>There is not enough memory for the images of %1; close other programs.</source>
         <translation>Für die Bilder von %1 reicht der Speicher nicht; andere Programme schließen.</translation>
     </message>
     <message>
@@ -5351,7 +5351,7 @@
         <translation>Das Ausschreiben der Verschiebungen wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Writing picture</source>
+        <source>Writing image</source>
         <translation>Bild wird geschrieben</translation>
     </message>
     <message>
@@ -6107,7 +6107,7 @@
         <translation>Winkel, die höchstens 89 Grad von pi / 2 abweichen</translation>
     </message>
     <message>
-        <source>another kind of picture</source>
+        <source>another kind of image</source>
         <translation>eine andere Art Bild</translation>
     </message>
     <message>
@@ -6479,7 +6479,7 @@
         <translation>sie ist gespiegelt (linkshändig)</translation>
     </message>
     <message>
-        <source>it is no two-dimensional picture</source>
+        <source>it is no two-dimensional image</source>
         <translation>sie ist kein zweidimensionales Bild</translation>
     </message>
     <message>
@@ -6507,7 +6507,7 @@
         <translation>es nennt keine Datei</translation>
     </message>
     <message>
-        <source>it reaches beyond the picture of %1 x %2 pixels, so that it was made for another size</source>
+        <source>it reaches beyond the image of %1 x %2 pixels, so that it was made for another size</source>
         <translation>sie reicht über das Bild von %1 × %2 Pixeln hinaus, wurde also für eine andere Größe gemacht</translation>
     </message>
     <message>
@@ -7667,23 +7667,23 @@
         <translation>das Kürzel eines Eintrags oder einer Formel</translation>
     </message>
     <message>
-        <source>There is not enough memory to trace in this picture.</source>
+        <source>There is not enough memory to trace in this image.</source>
         <translation>Der Speicher reicht nicht, um in diesem Bild Umrisse zu verfolgen.</translation>
     </message>
     <message>
-        <source>The edges of the picture could not be traced (%1).</source>
+        <source>The edges of the image could not be traced (%1).</source>
         <translation>Die Kanten des Bildes konnten nicht verfolgt werden (%1).</translation>
     </message>
     <message>
-        <source>The picture is too small to trace in: %1 x %2 pixels.</source>
+        <source>The image is too small to trace in: %1 x %2 pixels.</source>
         <translation>Das Bild ist zu klein, um darin Umrisse zu verfolgen: %1 x %2 Pixel.</translation>
     </message>
     <message>
-        <source>The picture is too large to trace in: %1 x %2 pixels.</source>
+        <source>The image is too large to trace in: %1 x %2 pixels.</source>
         <translation>Das Bild ist zu groß, um darin Umrisse zu verfolgen: %1 x %2 Pixel.</translation>
     </message>
     <message>
-        <source>There is no picture to trace in; freeze one first.</source>
+        <source>There is no image to trace in; freeze one first.</source>
         <translation>Es gibt kein Bild, in dem Umrisse verfolgt werden können; zuerst eines einfrieren.</translation>
     </message>
     <message>
@@ -7863,11 +7863,11 @@
         <translation>Ein DICOM-Objekt ließ sich nicht schreiben (%1).</translation>
     </message>
     <message>
-        <source>A picture of %1 x %2 pixels is too small for the words it must carry; give at least %3x%4.</source>
+        <source>An image of %1 x %2 pixels is too small for the words it must carry; give at least %3x%4.</source>
         <translation>Ein Bild von %1 x %2 Pixeln ist zu klein für die Worte, die es tragen muss; geben Sie mindestens %3x%4 an.</translation>
     </message>
     <message>
-        <source>A picture of %1 x %2 pixels is larger than DICOM allows (%3 either way); give a smaller size.</source>
+        <source>An image of %1 x %2 pixels is larger than DICOM allows (%3 either way); give a smaller size.</source>
         <translation>Ein Bild von %1 x %2 Pixeln ist größer, als DICOM erlaubt (%3 in jeder Richtung); geben Sie eine kleinere Größe an.</translation>
     </message>
     <message>
@@ -7875,7 +7875,7 @@
         <translation>%1 Bilder von %2 x %3 Pixeln sind mehr, als ein DICOM-Objekt fasst; speichern Sie weniger oder kleinere.</translation>
     </message>
     <message>
-        <source>A region of the picture has no size of a pixel, so that nobody could measure in it.</source>
+        <source>A region of the image has no size of a pixel, so that nobody could measure in it.</source>
         <translation>Ein Bereich des Bildes hat keine Pixelgröße, sodass niemand darin messen könnte.</translation>
     </message>
     <message>
@@ -8035,7 +8035,7 @@
         <translation>Eine der drei Längen ist null; eine andere Messung wählen.</translation>
     </message>
     <message>
-        <source>All three lengths are of one picture; the third one belongs to a picture at right angles to it.</source>
+        <source>All three lengths are of one image; the third one belongs to an image at right angles to it.</source>
         <translation>Alle drei Längen sind aus einem Bild; die dritte gehört in ein Bild im rechten Winkel dazu.</translation>
     </message>
     <message>
@@ -8043,11 +8043,11 @@
         <translation>Eine Länge steht für zwei der drei; jede davon messen.</translation>
     </message>
     <message>
-        <source>Discs of two planes need two measurements by discs; draw them in both pictures first.</source>
+        <source>Discs of two planes need two measurements by discs; draw them in both images first.</source>
         <translation>Scheiben zweier Ebenen brauchen zwei Messungen mit Scheiben; sie erst in beiden Bildern zeichnen.</translation>
     </message>
     <message>
-        <source>Both planes are of one picture; the second one is that at right angles to it.</source>
+        <source>Both planes are of one image; the second one is that at right angles to it.</source>
         <translation>Beide Ebenen sind aus einem Bild; die zweite ist die im rechten Winkel dazu.</translation>
     </message>
     <message>
@@ -8123,7 +8123,7 @@
         <translation>Zu viel vom Ultraschallbild steht still, als dass sich Text darüber von Echos unterscheiden ließe; nach Text suchen und seine Kästen hinzufügen.</translation>
     </message>
     <message>
-        <source>The outline of the scan was found with doubt; compare it with a picture, and correct it where it is wrong.</source>
+        <source>The outline of the scan was found with doubt; compare it with an image, and correct it where it is wrong.</source>
         <translation>Der Umriss des Scans wurde nur unsicher gefunden; mit einem Bild vergleichen und berichtigen, wo er falsch ist.</translation>
     </message>
     <message>
@@ -8143,7 +8143,7 @@
         <translation>Bereich %1 wurde für den Maßstab nicht verwendet.</translation>
     </message>
     <message>
-        <source>The other regions may have been made for another size of the pictures as well, so none was used.</source>
+        <source>The other regions may have been made for another size of the images as well, so none was used.</source>
         <translation>Auch die anderen Bereiche können für eine andere Größe der Bilder gemacht sein, deshalb wurde keiner verwendet.</translation>
     </message>
     <message>
@@ -8151,11 +8151,11 @@
         <translation>Bilder ohne Zeit: %1 von %2.</translation>
     </message>
     <message>
-        <source>The rate of the pictures was stated, %1 a second; the times in the file were not used.</source>
+        <source>The rate of the images was stated, %1 a second; the times in the file were not used.</source>
         <translation>Die Bildrate wurde angegeben, %1 in der Sekunde; die Zeiten in der Datei wurden nicht verwendet.</translation>
     </message>
     <message>
-        <source>The file does not say when its pictures were recorded; %1 a second were assumed.</source>
+        <source>The file does not say when its images were recorded; %1 a second were assumed.</source>
         <translation>Die Datei gibt nicht an, wann ihre Bilder aufgenommen wurden; %1 in der Sekunde wurden angenommen.</translation>
     </message>
     <message>
@@ -8171,7 +8171,7 @@
         <translation>Die Aufnahme hat mehrere Maßstäbe; die Größe eines Pixels ist die des Teils, in dem die Mitte des Ultraschallbilds liegt, %1. Die anderen: %2. Prüfen, ob es der richtige ist.</translation>
     </message>
     <message>
-        <source>The stated outline holds no part of the pictures; correct it.</source>
+        <source>The stated outline holds no part of the images; correct it.</source>
         <translation>Der angegebene Umriss enthält nichts von den Bildern; ihn berichtigen.</translation>
     </message>
     <message>
@@ -8247,7 +8247,7 @@
         <translation>Bild %1 von %2 hat eine andere Größe als die davor; die %3 davor wurden gelesen.</translation>
     </message>
     <message>
-        <source>%1 is no film, DICOM cine, TIFF, sequence or picture that is known, or its beginning is damaged.</source>
+        <source>%1 is no film, DICOM cine, TIFF, sequence or image that is known, or its beginning is damaged.</source>
         <translation>%1 ist kein bekannter Film, keine DICOM-Bildfolge, kein TIFF, keine Sequenz und kein Bild, oder der Anfang ist beschädigt.</translation>
     </message>
     <message>
@@ -8271,7 +8271,7 @@
         <translation>%1 endet zu früh oder ist beschädigt: Von %2 Bildern wurden die ersten %3 gelesen; die Datei neu beschaffen, wenn die übrigen gebraucht werden.</translation>
     </message>
     <message>
-        <source>The pictures of %1 have %2 x %3 pixels, more than are read; record a smaller part of the screen.</source>
+        <source>The images of %1 have %2 x %3 pixels, more than are read; record a smaller part of the screen.</source>
         <translation>Die Bilder von %1 haben %2 x %3 Pixel, mehr als gelesen werden; einen kleineren Teil des Bildschirms aufnehmen.</translation>
     </message>
     <message>
@@ -9199,15 +9199,15 @@
         <translation>Der Fall hat davon keine Voxel.</translation>
     </message>
     <message>
-        <source>It comes into no picture from the skin.</source>
+        <source>It comes into no image from the skin.</source>
         <translation>Von der Haut aus kommt es in kein Bild.</translation>
     </message>
     <message>
-        <source>It fills so much of most pictures that pointing at random would do.</source>
+        <source>It fills so much of most images that pointing at random would do.</source>
         <translation>Es füllt so viel der meisten Bilder, dass es zufälliges Zeigen träfe.</translation>
     </message>
     <message>
-        <source>It is in nearly every picture, so that there is nothing to look for.</source>
+        <source>It is in nearly every image, so that there is nothing to look for.</source>
         <translation>Es ist in fast jedem Bild, sodass es nichts zu suchen gibt.</translation>
     </message>
     <message>
@@ -9343,19 +9343,19 @@
         <translation>Inzwischen wurde ein anderer Fall geöffnet; den Fall wieder öffnen und ihm das Volumen noch einmal geben.</translation>
     </message>
     <message>
-        <source>There is no picture &apos;%1&apos;; choose it again.</source>
+        <source>There is no image &apos;%1&apos;; choose it again.</source>
         <translation>Es gibt kein Bild „%1“; noch einmal wählen.</translation>
     </message>
     <message>
-        <source>The picture &apos;%1&apos; is larger than 20 MB; make it smaller first.</source>
+        <source>The image &apos;%1&apos; is larger than 20 MB; make it smaller first.</source>
         <translation>Das Bild „%1“ ist größer als 20 MB; erst verkleinern.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a PNG or JPEG picture; save it as one of these first.</source>
+        <source>&apos;%1&apos; is not a PNG or JPEG image; save it as one of these first.</source>
         <translation>„%1“ ist kein PNG- oder JPEG-Bild; erst als eines von beiden speichern.</translation>
     </message>
     <message>
-        <source>The picture &apos;%1&apos; is damaged; choose another.</source>
+        <source>The image &apos;%1&apos; is damaged; choose another.</source>
         <translation>Das Bild „%1“ ist beschädigt; ein anderes wählen.</translation>
     </message>
     <message>
@@ -9675,15 +9675,15 @@
         <translation>Das Kennwort ist länger als %1 Bytes oder enthält Zeichen, die sich nicht tippen lassen; ein anderes nehmen.</translation>
     </message>
     <message>
-        <source>The picture is damaged; save it anew as a PNG.</source>
+        <source>The image is damaged; save it anew as a PNG.</source>
         <translation>Das Bild ist beschädigt; es neu als PNG speichern.</translation>
     </message>
     <message>
-        <source>Pictures of an examination are PNG or JPEG, of which it is known where words may hide; save it as one.</source>
+        <source>Images of an examination are PNG or JPEG, of which it is known where words may hide; save it as one.</source>
         <translation>Bilder einer Prüfung sind PNG oder JPEG, von denen bekannt ist, wo Wörter stecken können; es als ein solches speichern.</translation>
     </message>
     <message>
-        <source>The picture &quot;%1&quot;: %2</source>
+        <source>The image &quot;%1&quot;: %2</source>
         <translation>Das Bild „%1“: %2</translation>
     </message>
     <message>
@@ -9819,7 +9819,7 @@
         <translation>Neben „%1“ lässt sich nichts schreiben; einen anderen Ordner wählen.</translation>
     </message>
     <message>
-        <source>The picture &apos;%1&apos; is damaged.</source>
+        <source>The image &apos;%1&apos; is damaged.</source>
         <translation>Das Bild „%1“ ist beschädigt.</translation>
     </message>
     <message>
@@ -10135,7 +10135,7 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>(a drawing on the picture)</source>
+        <source>(a drawing on the image)</source>
         <translation>(eine Zeichnung auf dem Bild)</translation>
     </message>
     <message>
@@ -10147,11 +10147,11 @@
         <translation>Kommentare</translation>
     </message>
     <message>
-        <source>Stored picture: %1</source>
+        <source>Stored image: %1</source>
         <translation>Gespeichertes Bild: %1</translation>
     </message>
     <message>
-        <source>Stored picture %1: %2</source>
+        <source>Stored image %1: %2</source>
         <translation>Gespeichertes Bild %1: %2</translation>
     </message>
     <message>
@@ -10395,15 +10395,15 @@
         <translation>höchster Balken: %1</translation>
     </message>
     <message>
-        <source>The picture &apos;%1&apos; is not in the attempt&apos;s folder.</source>
+        <source>The image &apos;%1&apos; is not in the attempt&apos;s folder.</source>
         <translation>Das Bild „%1“ ist nicht im Ordner des Versuchs.</translation>
     </message>
     <message>
-        <source>The picture &apos;%1&apos; cannot be read, or is too large.</source>
+        <source>The image &apos;%1&apos; cannot be read, or is too large.</source>
         <translation>Das Bild „%1“ kann nicht gelesen werden oder ist zu groß.</translation>
     </message>
     <message>
-        <source>The picture &apos;%1&apos; is neither a PNG nor a JPEG file.</source>
+        <source>The image &apos;%1&apos; is neither a PNG nor a JPEG file.</source>
         <translation>Das Bild „%1“ ist weder eine PNG- noch eine JPEG-Datei.</translation>
     </message>
     <message>
@@ -10527,7 +10527,7 @@
         <translation>Rollwinkel</translation>
     </message>
     <message>
-        <source>Shift in the picture</source>
+        <source>Shift in the image</source>
         <translation>Verschiebung im Bild</translation>
     </message>
     <message>
@@ -10803,11 +10803,11 @@
         <translation>Des Punktes, auf den es ankommt, von der Ebene des letzten Bildes.</translation>
     </message>
     <message>
-        <source>Plane: shift in the picture</source>
+        <source>Plane: shift in the image</source>
         <translation>Ebene: Verschiebung im Bild</translation>
     </message>
     <message>
-        <source>How far the point of interest lies from where the target&apos;s picture has it, seen along the normal.</source>
+        <source>How far the point of interest lies from where the target&apos;s image has it, seen along the normal.</source>
         <translation>Wie weit der Punkt, auf den es ankommt, von seinem Ort im Bild des Ziels liegt, entlang der Normalen gesehen.</translation>
     </message>
     <message>
@@ -11303,7 +11303,7 @@
         <translation>%1 liegt falsch, und die anderen liegen fast auf einer Linie; berühren Sie die Stelle noch einmal.</translation>
     </message>
     <message>
-        <source>The landmarks lie too close together: the picture could be off by %1 mm. Touch more of them, farther apart.</source>
+        <source>The landmarks lie too close together: the image could be off by %1 mm. Touch more of them, farther apart.</source>
         <translation>Die Landmarken liegen zu nah beieinander: das Bild könnte um %1 mm danebenliegen. Berühren Sie weitere, die weiter auseinanderliegen.</translation>
     </message>
     <message>
@@ -11599,7 +11599,7 @@
         <translation>die Kennung eines der Tracker</translation>
     </message>
     <message>
-        <source>The camera was calibrated with pictures of %1 x %2 pixels and now delivers %3 x %4, which is another part of what it sees; calibrate it again at this size.</source>
+        <source>The camera was calibrated with images of %1 x %2 pixels and now delivers %3 x %4, which is another part of what it sees; calibrate it again at this size.</source>
         <translation>Die Kamera wurde mit Bildern von %1 x %2 Pixeln kalibriert und liefert jetzt %3 x %4, also einen anderen Ausschnitt; kalibrieren Sie sie in dieser Größe neu.</translation>
     </message>
     <message>
@@ -11635,7 +11635,7 @@
         <translation>Die Kamera %1 wird von einem anderen Programm benutzt; schließen Sie es. Sie wird jede Sekunde erneut versucht.</translation>
     </message>
     <message>
-        <source>The camera %1 delivers no pictures; another program may be using it, or it is no camera. It is tried again every second.</source>
+        <source>The camera %1 delivers no images; another program may be using it, or it is no camera. It is tried again every second.</source>
         <translation>Die Kamera %1 liefert keine Bilder; vielleicht benutzt sie ein anderes Programm, oder es ist keine Kamera. Sie wird jede Sekunde erneut versucht.</translation>
     </message>
     <message>
@@ -11643,7 +11643,7 @@
         <translation>Der Film %1 ist nicht da; wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <source>%1 cannot be read as a film; choose a file with moving pictures.</source>
+        <source>%1 cannot be read as a film; choose a file with moving images.</source>
         <translation>%1 kann nicht als Film gelesen werden; wählen Sie eine Datei mit bewegten Bildern.</translation>
     </message>
     <message>
@@ -11663,15 +11663,15 @@
         <translation>Der Film ist zu Ende.</translation>
     </message>
     <message>
-        <source>The camera has stopped delivering pictures; check its cable. It is tried again every second.</source>
+        <source>The camera has stopped delivering images; check its cable. It is tried again every second.</source>
         <translation>Die Kamera liefert keine Bilder mehr; prüfen Sie ihr Kabel. Sie wird jede Sekunde erneut versucht.</translation>
     </message>
     <message>
-        <source>The camera delivers pictures.</source>
+        <source>The camera delivers images.</source>
         <translation>Die Kamera liefert Bilder.</translation>
     </message>
     <message>
-        <source>A picture of the camera could not be worked on: %1.</source>
+        <source>An image of the camera could not be worked on: %1.</source>
         <translation>Ein Bild der Kamera konnte nicht ausgewertet werden: %1.</translation>
     </message>
     <message>
@@ -11691,7 +11691,7 @@
         <translation>Halten Sie das Brett gerade vor die Kamera.</translation>
     </message>
     <message>
-        <source>Bring the board nearer, until it fills more than half of the picture.</source>
+        <source>Bring the board nearer, until it fills more than half of the image.</source>
         <translation>Bringen Sie das Brett näher, bis es mehr als das halbe Bild füllt.</translation>
     </message>
     <message>
@@ -11711,27 +11711,27 @@
         <translation>Kippen Sie das Brett um seine untere Kante in die andere Richtung.</translation>
     </message>
     <message>
-        <source>Move the board to the upper left of the picture.</source>
+        <source>Move the board to the upper left of the image.</source>
         <translation>Bewegen Sie das Brett nach links oben im Bild.</translation>
     </message>
     <message>
-        <source>Move the board to the upper right of the picture.</source>
+        <source>Move the board to the upper right of the image.</source>
         <translation>Bewegen Sie das Brett nach rechts oben im Bild.</translation>
     </message>
     <message>
-        <source>Move the board to the lower left of the picture.</source>
+        <source>Move the board to the lower left of the image.</source>
         <translation>Bewegen Sie das Brett nach links unten im Bild.</translation>
     </message>
     <message>
-        <source>Move the board to the lower right of the picture.</source>
+        <source>Move the board to the lower right of the image.</source>
         <translation>Bewegen Sie das Brett nach rechts unten im Bild.</translation>
     </message>
     <message>
-        <source>Move the board to the left of the picture.</source>
+        <source>Move the board to the left of the image.</source>
         <translation>Bewegen Sie das Brett an den linken Rand des Bildes.</translation>
     </message>
     <message>
-        <source>Move the board to the right of the picture.</source>
+        <source>Move the board to the right of the image.</source>
         <translation>Bewegen Sie das Brett an den rechten Rand des Bildes.</translation>
     </message>
     <message>
@@ -11747,19 +11747,19 @@
         <translation>Die Kalibrierung ist gut: Die Ecken des Bretts liegen auf %1 Pixel genau, wo sie sollen.</translation>
     </message>
     <message>
-        <source>The calibration can be used: the corners lie where they should to %1 pixel. Below half a pixel it would be good; more pictures with the board tipped and in the corners of the picture help.</source>
+        <source>The calibration can be used: the corners lie where they should to %1 pixel. Below half a pixel it would be good; more images with the board tipped and in the corners of the image help.</source>
         <translation>Die Kalibrierung ist brauchbar: Die Ecken liegen auf %1 Pixel genau, wo sie sollen. Unter einem halben Pixel wäre sie gut; weitere Bilder mit gekipptem Brett und in den Ecken des Bildes helfen.</translation>
     </message>
     <message>
-        <source>The pictures do not tell the distance from the size; take more with the board tipped to all sides and at other distances.</source>
+        <source>The images do not tell the distance from the size; take more with the board tipped to all sides and at other distances.</source>
         <translation>Aus den Bildern lassen sich Abstand und Größe nicht unterscheiden; nehmen Sie weitere auf, mit dem Brett nach allen Seiten gekippt und in anderen Abständen.</translation>
     </message>
     <message>
-        <source>The calibration cannot be used: the corners lie %1 pixel off. Glue the board to something flat, hold it still, check its sizes, and take the pictures again.</source>
+        <source>The calibration cannot be used: the corners lie %1 pixel off. Glue the board to something flat, hold it still, check its sizes, and take the images again.</source>
         <translation>Die Kalibrierung ist unbrauchbar: Die Ecken liegen um %1 Pixel daneben. Kleben Sie das Brett auf etwas Ebenes, halten Sie es still, prüfen Sie seine Maße und nehmen Sie die Bilder neu auf.</translation>
     </message>
     <message>
-        <source>There are %1 pictures of the board that can be used and at least %2 are needed; take more.</source>
+        <source>There are %1 images of the board that can be used and at least %2 are needed; take more.</source>
         <translation>Es gibt %1 brauchbare Bilder des Bretts, und mindestens %2 sind nötig; nehmen Sie weitere auf.</translation>
     </message>
     <message>
@@ -11771,15 +11771,15 @@
         <translation>Die Kalibrierung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Checking it with pictures left out</source>
+        <source>Checking it with images left out</source>
         <translation>Prüfung mit zurückgehaltenen Bildern</translation>
     </message>
     <message>
-        <source>No camera explains these pictures; take others, with the board tipped to all sides.</source>
+        <source>No camera explains these images; take others, with the board tipped to all sides.</source>
         <translation>Keine Kamera erklärt diese Bilder; nehmen Sie andere auf, mit dem Brett nach allen Seiten gekippt.</translation>
     </message>
     <message>
-        <source>%1 is no grey PGM picture of %2 x %3 pixels; make the views again.</source>
+        <source>%1 is no grey PGM image of %2 x %3 pixels; make the views again.</source>
         <translation>%1 ist kein graues PGM-Bild von %2 x %3 Pixeln; erzeugen Sie die Ansichten neu.</translation>
     </message>
     <message>
@@ -11891,23 +11891,23 @@
         <translation>%1 nennt seinen Film %2, sein Datenstrom ist aber von anderer Art; neu exportieren.</translation>
     </message>
     <message>
-        <source>The film says that its pictures are to be turned by no whole quarter, which is not done; turn it before.</source>
+        <source>The film says that its images are to be turned by no whole quarter, which is not done; turn it before.</source>
         <translation>Der Film verlangt für seine Bilder eine Drehung, die kein Vielfaches von 90 Grad ist; sie unterbleibt; ihn vorher drehen.</translation>
     </message>
     <message>
-        <source>The file says how its pictures are seen upright: they were turned clockwise by %1 degrees.</source>
+        <source>The file says how its images are seen upright: they were turned clockwise by %1 degrees.</source>
         <translation>Die Datei sagt, wie ihre Bilder aufrecht stehen: Sie wurden um %1 Grad im Uhrzeigersinn gedreht.</translation>
     </message>
     <message>
-        <source>The file says how its pictures are seen upright: they were mirrored, left to right.</source>
+        <source>The file says how its images are seen upright: they were mirrored, left to right.</source>
         <translation>Die Datei sagt, wie ihre Bilder aufrecht stehen: Links und rechts wurden vertauscht.</translation>
     </message>
     <message>
-        <source>The file says how its pictures are seen upright: they were turned clockwise by %1 degrees, then mirrored.</source>
+        <source>The file says how its images are seen upright: they were turned clockwise by %1 degrees, then mirrored.</source>
         <translation>Die Datei sagt, wie ihre Bilder aufrecht stehen: Sie wurden um %1 Grad im Uhrzeigersinn gedreht, dann gespiegelt.</translation>
     </message>
     <message>
-        <source>The file says that its pixels are %1 times as wide as high: pictures of %2 x %3 were stretched to %4 x %5 square ones.</source>
+        <source>The file says that its pixels are %1 times as wide as high: images of %2 x %3 were stretched to %4 x %5 square ones.</source>
         <translation>Die Datei gibt an, dass ihre Pixel %1-mal so breit wie hoch sind: Bilder von %2 x %3 wurden auf %4 x %5 quadratische gestreckt.</translation>
     </message>
     <message>
@@ -12471,11 +12471,11 @@
         <translation>eine DICOM-Datei</translation>
     </message>
     <message>
-        <source>a PNG picture</source>
+        <source>a PNG image</source>
         <translation>ein PNG-Bild</translation>
     </message>
     <message>
-        <source>a JPEG picture</source>
+        <source>a JPEG image</source>
         <translation>ein JPEG-Bild</translation>
     </message>
     <message>
@@ -12507,7 +12507,7 @@
         <translation>den Namen auf .nii enden lassen</translation>
     </message>
     <message>
-        <source>a PNG picture under another ending</source>
+        <source>a PNG image under another ending</source>
         <translation>ein PNG-Bild unter einer anderen Endung</translation>
     </message>
     <message>
@@ -12515,7 +12515,7 @@
         <translation>den Namen auf .png enden lassen</translation>
     </message>
     <message>
-        <source>a JPEG picture under another ending</source>
+        <source>a JPEG image under another ending</source>
         <translation>ein JPEG-Bild unter einer anderen Endung</translation>
     </message>
     <message>
@@ -13362,11 +13362,11 @@
         <translation>Anbieten: %1</translation>
     </message>
     <message>
-        <source>Pictures of an earlier examination</source>
+        <source>Images of an earlier examination</source>
         <translation>Bilder einer früheren Untersuchung</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <source>Images (*.png *.jpg *.jpeg)</source>
         <translation>Bilder (*.png *.jpg *.jpeg)</translation>
     </message>
     <message>
@@ -14976,7 +14976,7 @@
     </message>
 </context>
 <context>
-    <name>ew::ui::AnnotatedPictures</name>
+    <name>ew::ui::ImageAnnotations</name>
     <message>
         <source>Words and arrows belong to the image, not to the strip of the M-mode. Switch to B or B + M.</source>
         <translation>Texte und Pfeile gehören ins Bild, nicht in den Streifen des M-Mode. Wechseln Sie zu B oder B + M.</translation>
@@ -15419,7 +15419,7 @@
         <translation>Differentialdiagnose</translation>
     </message>
     <message>
-        <source>Show this picture large</source>
+        <source>Show this image large</source>
         <translation>Dieses Bild groß zeigen</translation>
     </message>
 </context>
@@ -17401,23 +17401,23 @@
         <translation>Pa&amp;noramabild</translation>
     </message>
     <message>
-        <source>One picture</source>
+        <source>One image</source>
         <translation>Ein Bild</translation>
     </message>
     <message>
-        <source>Two pictures</source>
+        <source>Two images</source>
         <translation>Zwei Bilder</translation>
     </message>
     <message>
-        <source>Four pictures</source>
+        <source>Four images</source>
         <translation>Vier Bilder</translation>
     </message>
     <message>
-        <source>Next number of pictures</source>
+        <source>Next number of images</source>
         <translation>Nächste Zahl von Bildern</translation>
     </message>
     <message>
-        <source>Next picture</source>
+        <source>Next image</source>
         <translation>Nächstes Bild</translation>
     </message>
     <message>
@@ -17948,19 +17948,19 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Bilder (*.png *.mha);;DICOM-Bilder (*.dcm)</translation>
     </message>
     <message>
-        <source>A recording runs, and it is of one picture. End it (%1) to go to another.</source>
+        <source>A recording runs, and it is of one image. End it (%1) to go to another.</source>
         <translation>Eine Aufnahme läuft, und zwar von einem Bild. Beenden Sie sie (%1), um zu einem anderen zu gehen.</translation>
     </message>
     <message>
-        <source>This picture shows the patient&apos;s left side.</source>
+        <source>This image shows the patient&apos;s left side.</source>
         <translation>Dieses Bild zeigt die linke Seite des Patienten.</translation>
     </message>
     <message>
-        <source>This picture shows the patient&apos;s right side.</source>
+        <source>This image shows the patient&apos;s right side.</source>
         <translation>Dieses Bild zeigt die rechte Seite des Patienten.</translation>
     </message>
     <message>
-        <source>A wide image is at work. Close it (%1) to go to another picture.</source>
+        <source>A wide image is at work. Close it (%1) to go to another image.</source>
         <translation>Ein Panoramabild ist in Arbeit. Schließen Sie es (%1), um zu einem anderen Bild zu gehen.</translation>
     </message>
 </context>
@@ -18358,7 +18358,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Panoramabild: beginnen, verwerfen, verbergen</translation>
     </message>
     <message>
-        <source>one, two, four pictures</source>
+        <source>one, two, four images</source>
         <translation>ein, zwei, vier Bilder</translation>
     </message>
     <message>
@@ -18366,7 +18366,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Klick, %1</translation>
     </message>
     <message>
-        <source>take another picture in hand, the next one</source>
+        <source>take another image in hand, the next one</source>
         <translation>ein anderes Bild in die Hand nehmen, das nächste</translation>
     </message>
     <message>
@@ -19048,15 +19048,15 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Alle Messungen löschen (%1)</translation>
     </message>
     <message>
-        <source>Picture %1</source>
+        <source>Image %1</source>
         <translation>Bild %1</translation>
     </message>
     <message>
-        <source>Picture %1: %2</source>
+        <source>Image %1: %2</source>
         <translation>Bild %1: %2</translation>
     </message>
     <message>
-        <source>Measured on another picture; a click takes that one in hand</source>
+        <source>Measured on another image; a click takes that one in hand</source>
         <translation>In einem anderen Bild gemessen; ein Klick nimmt jenes in die Hand</translation>
     </message>
 </context>
@@ -19693,7 +19693,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::PictureChooser</name>
+    <name>ew::ImageChooser</name>
     <message>
         <source>The image as the file holds it</source>
         <translation>Das Bild, wie es in der Datei steht</translation>
@@ -19889,7 +19889,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Ergebnisse, übliche Bereiche und Kurven, Antworten; sichern (%1)</translation>
     </message>
     <message>
-        <source>Measured on picture %1</source>
+        <source>Measured on image %1</source>
         <translation>Gemessen in Bild %1</translation>
     </message>
 </context>
@@ -20669,71 +20669,71 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::ui::KeptPicture</name>
+    <name>ew::ui::ImageTile</name>
     <message>
-        <source>Another picture</source>
+        <source>Another image</source>
         <translation>Ein anderes Bild</translation>
     </message>
     <message>
-        <source>Click to measure or write on this picture, or to scan where there is none yet (%1: the next picture)</source>
+        <source>Click to measure or write on this image, or to scan where there is none yet (%1: the next image)</source>
         <translation>Klicken, um in diesem Bild zu messen oder zu schreiben, oder um hier zu scannen, wo noch keines ist (%1: das nächste Bild)</translation>
     </message>
     <message>
-        <source>No picture here yet. Click to scan here.</source>
+        <source>No image here yet. Click to scan here.</source>
         <translation>Hier ist noch kein Bild. Klicken, um hier zu schallen.</translation>
     </message>
 </context>
 <context>
-    <name>ew::ui::PictureGrid</name>
+    <name>ew::ui::ImageGrid</name>
     <message>
-        <source>A recording is shown. Close it (Escape) to go to another picture.</source>
+        <source>A recording is shown. Close it (Escape) to go to another image.</source>
         <translation>Eine Aufnahme wird gezeigt. Schließen Sie sie (Esc), um zu einem anderen Bild zu gehen.</translation>
     </message>
     <message>
         <source>%1 right</source>
-        <comment>number of a picture, and the patient&apos;s side</comment>
+        <comment>number of an image, and the patient&apos;s side</comment>
         <translation>%1 rechts</translation>
     </message>
     <message>
         <source>%1 left</source>
-        <comment>number of a picture, and the patient&apos;s side</comment>
+        <comment>number of an image, and the patient&apos;s side</comment>
         <translation>%1 links</translation>
     </message>
     <message>
-        <source>The volume was moved: the other pictures were made where it lay before, and are gone.</source>
+        <source>The volume was moved: the other images were made where it lay before, and are gone.</source>
         <translation>Das Volumen wurde verschoben: Die anderen Bilder entstanden an seinem alten Ort und sind fort.</translation>
     </message>
 </context>
 <context>
-    <name>ew::ui::PictureButtons</name>
+    <name>ew::ui::ImageButtons</name>
     <message>
-        <source>One picture (%1: the next number of pictures)</source>
+        <source>One image (%1: the next number of images)</source>
         <translation>Ein Bild (%1: die nächste Zahl von Bildern)</translation>
     </message>
     <message>
-        <source>Two pictures beside each other (%1: the next number of pictures)</source>
+        <source>Two images beside each other (%1: the next number of images)</source>
         <translation>Zwei Bilder nebeneinander (%1: die nächste Zahl von Bildern)</translation>
     </message>
     <message>
-        <source>Four pictures (%1: the next number of pictures)</source>
+        <source>Four images (%1: the next number of images)</source>
         <translation>Vier Bilder (%1: die nächste Zahl von Bildern)</translation>
     </message>
     <message>
         <source>L/R</source>
-        <comment>the next of several pictures</comment>
+        <comment>the next of several images</comment>
         <translation>L/R</translation>
     </message>
     <message>
-        <source>Next picture: a running scan goes on in it, a frozen one is kept (%1)</source>
+        <source>Next image: a running scan goes on in it, a frozen one is kept (%1)</source>
         <translation>Nächstes Bild: Ein laufender Scan geht dort weiter, ein eingefrorener bleibt (%1)</translation>
     </message>
     <message>
         <source>1 : 1</source>
-        <comment>all pictures at the same scale</comment>
+        <comment>all images at the same scale</comment>
         <translation>1 : 1</translation>
     </message>
     <message>
-        <source>All pictures at the scale of the one that shows most</source>
+        <source>All images at the scale of the one that shows most</source>
         <translation>Alle Bilder im Maßstab dessen, das am meisten zeigt</translation>
     </message>
 </context>
@@ -20996,7 +20996,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>%1° im Uhrzeigersinn</translation>
     </message>
     <message>
-        <source>Turns the pictures so that the probe's face lies on top; the recording is looked through anew</source>
+        <source>Turns the images so that the probe's face lies on top; the recording is looked through anew</source>
         <translation>Dreht die Bilder, bis die Sondenfläche oben liegt; die Aufnahme wird neu durchgesehen</translation>
     </message>
     <message>
@@ -21004,11 +21004,11 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Gespiegelt</translation>
     </message>
     <message>
-        <source>Changes left and right of the pictures; the recording is looked through anew</source>
+        <source>Changes left and right of the images; the recording is looked through anew</source>
         <translation>Vertauscht links und rechts der Bilder; die Aufnahme wird neu durchgesehen</translation>
     </message>
     <message>
-        <source>Pictures</source>
+        <source>Images</source>
         <translation>Bilder</translation>
     </message>
     <message>
@@ -21016,7 +21016,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Gestrichelte Kästen, die Schrift oder Echos sein können: %1. Die anklicken, die Schrift sind.</translation>
     </message>
     <message>
-        <source>What was corrected of outline and boxes was taken back: the pictures lie differently now.</source>
+        <source>What was corrected of outline and boxes was taken back: the images lie differently now.</source>
         <translation>Was an Umriss und Kästen berichtigt war, wurde zurückgenommen: Die Bilder liegen nun anders.</translation>
     </message>
 </context>
@@ -21413,7 +21413,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Noch einmal abspielen</translation>
     </message>
     <message>
-        <source>The picture &apos;%1&apos; cannot be shown.</source>
+        <source>The image &apos;%1&apos; cannot be shown.</source>
         <translation>Das Bild „%1“ kann nicht gezeigt werden.</translation>
     </message>
     <message>
@@ -22245,7 +22245,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Lesen</translation>
     </message>
     <message>
-        <source>A text to read, perhaps with a picture</source>
+        <source>A text to read, perhaps with an image</source>
         <translation>Ein Text zum Lesen, vielleicht mit einem Bild</translation>
     </message>
     <message>
@@ -22567,7 +22567,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Remove scans and pictures that no lesson names; undo cannot bring them back</source>
+        <source>Remove scans and images that no lesson names; undo cannot bring them back</source>
         <translation>Untersuchungen und Bilder entfernen, die keine Lektion nennt; Rückgängig holt sie nicht zurück</translation>
     </message>
     <message>
@@ -22667,7 +22667,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Dateien entfernen</translation>
     </message>
     <message>
-        <source>Scans and pictures that no lesson names are removed from the case folder. Undoing an earlier edit cannot bring them back.</source>
+        <source>Scans and images that no lesson names are removed from the case folder. Undoing an earlier edit cannot bring them back.</source>
         <translation>Untersuchungen und Bilder, die keine Lektion nennt, werden aus dem Ordner des Falls entfernt. Eine frühere Änderung rückgängig zu machen holt sie nicht zurück.</translation>
     </message>
     <message>
@@ -22676,9 +22676,9 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::lessons::ReadForm</name>
+    <name>ew::lessons::ReadingForm</name>
     <message>
-        <source>Choose a picture…</source>
+        <source>Choose an image…</source>
         <translation>Bild wählen…</translation>
     </message>
     <message>
@@ -22690,27 +22690,27 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>The step goes without a picture; undo brings it back</source>
+        <source>The step goes without an image; undo brings it back</source>
         <translation>Der Schritt kommt ohne Bild aus; Rückgängig holt es zurück</translation>
     </message>
     <message>
-        <source>Choose a picture</source>
+        <source>Choose an image</source>
         <translation>Bild wählen</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <source>Images (*.png *.jpg *.jpeg)</source>
         <translation>Bilder (*.png *.jpg *.jpeg)</translation>
     </message>
     <message>
-        <source>Remove a picture</source>
+        <source>Remove an image</source>
         <translation>Bild entfernen</translation>
     </message>
     <message>
-        <source>No picture.</source>
+        <source>No image.</source>
         <translation>Kein Bild.</translation>
     </message>
     <message>
-        <source>The picture '%1' cannot be shown.</source>
+        <source>The image '%1' cannot be shown.</source>
         <translation>Das Bild „%1“ kann nicht gezeigt werden.</translation>
     </message>
 </context>
@@ -23980,7 +23980,7 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     </message>
 </context>
 <context>
-    <name>ew::case_authoring::NamedTissue</name>
+    <name>ew::case_authoring::TissueChoice</name>
     <message>
         <source>Soft tissue</source>
         <translation>Weichgewebe</translation>
@@ -24462,21 +24462,21 @@ Zeit: %3</translation>
     </message>
 </context>
 <context>
-    <name>ew::case_authoring::PicturesField</name>
+    <name>ew::case_authoring::ImagesField</name>
     <message>
         <source>missing</source>
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>Take this picture out of the case</source>
+        <source>Take this image out of the case</source>
         <translation>Dieses Bild aus dem Fall nehmen</translation>
     </message>
     <message>
-        <source>Add pictures…</source>
+        <source>Add images…</source>
         <translation>Bilder hinzufügen…</translation>
     </message>
     <message>
-        <source>PNG or JPEG; kept without what their files say of patient and device. Look that no name stands in the picture itself.</source>
+        <source>PNG or JPEG; kept without what their files say of patient and device. Look that no name stands in the image itself.</source>
         <translation>PNG oder JPEG; ohne das, was ihre Dateien über Patient und Gerät sagen. Darauf achten, dass im Bild selbst kein Name steht.</translation>
     </message>
 </context>
@@ -25952,7 +25952,7 @@ Zeit: %3</translation>
     </message>
 </context>
 <context>
-    <name>ew::ui::TrackerBodyPicture</name>
+    <name>ew::ui::TrackerBodyDrawing</name>
     <message>
         <source>The mannequin from the front, with the places to be touched</source>
         <translation>Der Übungskörper von vorn mit den Stellen, die berührt werden</translation>
@@ -25971,7 +25971,7 @@ Zeit: %3</translation>
     </message>
 </context>
 <context>
-    <name>ew::ui::TrackerCameraPicture</name>
+    <name>ew::ui::TrackerCameraView</name>
     <message>
         <source>What the camera sees</source>
         <translation>Was die Kamera sieht</translation>
@@ -25992,7 +25992,7 @@ Zeit: %3</translation>
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Size of the picture</source>
+        <source>Size of the image</source>
         <translation>Bildgröße</translation>
     </message>
     <message>
@@ -26032,7 +26032,7 @@ Zeit: %3</translation>
         <translation>Es wurde keine Kamera gefunden. Stecken Sie eine an und wählen Sie „Neu suchen“, oder wählen Sie eine Videodatei.</translation>
     </message>
     <message>
-        <source>It is too dark: the camera then takes long pictures, and every motion is blurred. Switch on a lamp.</source>
+        <source>It is too dark: the camera then takes long images, and every motion is blurred. Switch on a lamp.</source>
         <translation>Es ist zu dunkel: Die Kamera belichtet dann lange, und jede Bewegung verwischt. Schalten Sie eine Lampe ein.</translation>
     </message>
     <message>
@@ -26040,11 +26040,11 @@ Zeit: %3</translation>
         <translation>Es ist zu hell: Weißes Papier verliert seine Kanten. Drehen Sie eine Lampe weg oder ziehen Sie einen Vorhang zu.</translation>
     </message>
     <message>
-        <source>The picture is blurred while something moves. More light makes it sharper.</source>
+        <source>The image is blurred while something moves. More light makes it sharper.</source>
         <translation>Das Bild verwischt, wenn sich etwas bewegt. Mehr Licht macht es schärfer.</translation>
     </message>
     <message>
-        <source>The picture is bright enough: %1, %2 pictures each second.</source>
+        <source>The image is bright enough: %1, %2 images each second.</source>
         <translation>Das Bild ist hell genug: %1, %2 Bilder in der Sekunde.</translation>
     </message>
 </context>
@@ -26268,7 +26268,7 @@ Zeit: %3</translation>
         <translation>Videodatei …</translation>
     </message>
     <message>
-        <source>Size of the picture</source>
+        <source>Size of the image</source>
         <translation>Bildgröße</translation>
     </message>
     <message>
@@ -26391,7 +26391,7 @@ Zeit: %3</translation>
         <translation>Er wird gesehen, aber zu schlecht, um gemessen zu werden: Bringen Sie ihn näher, oder drehen Sie der Kamera eine andere Seite zu.</translation>
     </message>
     <message>
-        <source>It is not seen. Hold it into the picture, so that no finger covers a marker.</source>
+        <source>It is not seen. Hold it into the image, so that no finger covers a marker.</source>
         <translation>Er wird nicht gesehen. Halten Sie ihn ins Bild, so dass kein Finger eine Marke verdeckt.</translation>
     </message>
     <message>
@@ -26399,7 +26399,7 @@ Zeit: %3</translation>
         <translation>Abstand %1 cm · %2 Marken · zittert um %3 mm</translation>
     </message>
     <message>
-        <source>Very near: move the camera or your hand back, so that it stays in the picture.</source>
+        <source>Very near: move the camera or your hand back, so that it stays in the image.</source>
         <translation>Sehr nah: Rücken Sie die Kamera oder die Hand zurück, damit er im Bild bleibt.</translation>
     </message>
     <message>
@@ -26418,11 +26418,11 @@ Zeit: %3</translation>
         <translation>Objektiv vermessen</translation>
     </message>
     <message>
-        <source>Lay the chess board on something flat and stiff, and hold it before the camera: near and far, in the middle and in the corners, straight and tipped to each side. Hold it still for a moment; pictures are kept by themselves.</source>
+        <source>Lay the chess board on something flat and stiff, and hold it before the camera: near and far, in the middle and in the corners, straight and tipped to each side. Hold it still for a moment; images are kept by themselves.</source>
         <translation>Befestigen Sie das Schachbrett auf etwas Flachem und Steifem und halten Sie es vor die Kamera: nah und fern, in die Mitte und in die Ecken, gerade und nach jeder Seite gekippt. Halten Sie es jeweils kurz still; Bilder werden von selbst behalten.</translation>
     </message>
     <message>
-        <source>Pictures that were kept</source>
+        <source>Images that were kept</source>
         <translation>Behaltene Bilder</translation>
     </message>
     <message>
@@ -26434,11 +26434,11 @@ Zeit: %3</translation>
         <translation>Jetzt vermessen</translation>
     </message>
     <message>
-        <source>Finds the measures of the lens from the pictures that are kept; it begins by itself once there are enough</source>
+        <source>Finds the measures of the lens from the images that are kept; it begins by itself once there are enough</source>
         <translation>Findet die Maße des Objektivs aus den behaltenen Bildern; beginnt von selbst, sobald es genug sind</translation>
     </message>
     <message>
-        <source>The chess board is not seen. Hold it so that at least half of it is in the picture.</source>
+        <source>The chess board is not seen. Hold it so that at least half of it is in the image.</source>
         <translation>Das Schachbrett wird nicht gesehen. Halten Sie es so, dass mindestens die Hälfte im Bild ist.</translation>
     </message>
     <message>
@@ -26458,14 +26458,14 @@ Zeit: %3</translation>
         <translation>Behalten.</translation>
     </message>
     <message numerus="yes">
-        <source>Measuring the lens from %n pictures…</source>
+        <source>Measuring the lens from %n images…</source>
         <translation>
             <numerusform>Vermessen des Objektivs aus %n Bild …</numerusform>
             <numerusform>Vermessen des Objektivs aus %n Bildern …</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The lens is measured: its pictures agree within %1 pixels, found from %n pictures.</source>
+        <source>The lens is measured: its images agree within %1 pixels, found from %n images.</source>
         <translation>
             <numerusform>Das Objektiv ist vermessen: %n Bild stimmt auf %1 Bildpunkte überein.</numerusform>
             <numerusform>Das Objektiv ist vermessen: %n Bilder stimmen auf %1 Bildpunkte überein.</numerusform>
@@ -26476,7 +26476,7 @@ Zeit: %3</translation>
         <translation>Zeigen Sie der Kamera das Schachbrett.</translation>
     </message>
     <message>
-        <source>Pictures kept: %1. %2</source>
+        <source>Images kept: %1. %2</source>
         <translation>Behaltene Bilder: %1. %2</translation>
     </message>
 </context>

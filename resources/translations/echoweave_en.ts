@@ -223,17 +223,17 @@
 <context>
     <name>ew::ui::TrackerLensStep</name>
     <message numerus="yes">
-        <source>Measuring the lens from %n pictures…</source>
+        <source>Measuring the lens from %n images…</source>
         <translation>
-            <numerusform>Measuring the lens from %n picture…</numerusform>
-            <numerusform>Measuring the lens from %n pictures…</numerusform>
+            <numerusform>Measuring the lens from %n image…</numerusform>
+            <numerusform>Measuring the lens from %n images…</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>The lens is measured: its pictures agree within %1 pixels, found from %n pictures.</source>
+        <source>The lens is measured: its images agree within %1 pixels, found from %n images.</source>
         <translation>
-            <numerusform>The lens is measured: its pictures agree within %1 pixels, found from %n picture.</numerusform>
-            <numerusform>The lens is measured: its pictures agree within %1 pixels, found from %n pictures.</numerusform>
+            <numerusform>The lens is measured: its images agree within %1 pixels, found from %n image.</numerusform>
+            <numerusform>The lens is measured: its images agree within %1 pixels, found from %n images.</numerusform>
         </translation>
     </message>
 </context>

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct View {
   Sequence sequence;
   SweepPoses poses;
-  std::vector<PosedFrame> frames;
+  std::vector<TrackedFrame> frames;
 };
 
 View viewOfFile(const fs::path& file) {
@@ -94,7 +94,7 @@ TEST(ConfidenceOfSimulatedLiver, TellsWhatTheOtherViewSawFromWhatBothSee) {
           // The frame of the other sweep that passes nearest to this pixel.
           const glm::dvec3 p_mm = (here.frames[n].imageToWorld * Point<frame::Image>{{x, y, 0}}).at;
           double nearest_mm = 0.4, other = -1.0;
-          for (const PosedFrame& frame : there.frames) {
+          for (const TrackedFrame& frame : there.frames) {
             const glm::dvec3 at = (inverse(frame.imageToWorld) * Point<frame::World>{p_mm}).at;
             const double off_mm = std::abs(at.z) * glm::length(glm::dvec3(frame.imageToWorld.matrix[2]));
             if (off_mm >= nearest_mm) continue;

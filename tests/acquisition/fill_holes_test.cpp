@@ -35,7 +35,7 @@ Volume randomVolume(const glm::ivec3& dims, double share, unsigned seed) {
   return volume;
 }
 
-FilledVolume filled(const Volume& volume, double reach_mm, int threads = 1) {
+HoleFillResult filled(const Volume& volume, double reach_mm, int threads = 1) {
   auto result = fillHoles(volume, {reach_mm, threads}, noProgress());
   if (!result) {
     ADD_FAILURE() << result.error();
@@ -89,7 +89,7 @@ TEST(FillHoles, InterpolatesLinearlyBetweenTwoSheets) {
       measure(volume, {i, j, 0}, 50);
       measure(volume, {i, j, 5}, 100);
     }
-  const FilledVolume result = filled(volume, 5);
+  const HoleFillResult result = filled(volume, 5);
   EXPECT_EQ(result.filledVoxels, 5u * 70u * 4u);
   for (int k = 0; k < 6; ++k)
     for (int j = 0; j < 70; ++j) EXPECT_EQ(result.volume.echo[volume.grid.indexOf(2, j, k)], 50 + 10 * k);
@@ -134,7 +134,7 @@ TEST(FillHoles, TreatsAMeasuredZeroAsAnEnd) {
   measure(volume, {0, 0, 0}, 200);
   measure(volume, {2, 0, 0}, 0);
   measure(volume, {4, 0, 0}, 100);
-  const FilledVolume result = filled(volume, 4);
+  const HoleFillResult result = filled(volume, 4);
   EXPECT_EQ(result.volume.echo[1], 100);
   EXPECT_EQ(result.volume.echo[3], 50);
 }
@@ -143,7 +143,7 @@ TEST(FillHoles, BridgesWordsOfSixtyFourVoxels) {
   Volume volume = emptyVolume({200, 3, 3});
   measure(volume, {60, 1, 1}, 100);
   measure(volume, {132, 1, 1}, 172);
-  const FilledVolume result = filled(volume, 100);
+  const HoleFillResult result = filled(volume, 100);
   EXPECT_EQ(result.filledVoxels, 71u);
   for (int i = 61; i < 132; ++i) EXPECT_EQ(result.volume.echo[volume.grid.indexOf(i, 1, 1)], 40 + i);
 }
@@ -164,7 +164,7 @@ RC_GTEST_PROP(FillHoles, EqualsThePlainDefinition, ()) {
 
 TEST(FillHoles, EqualsThePlainDefinitionWhereBridgesCrossTiles) {
   const Volume volume = randomVolume({70, 110, 120}, 0.01, 5);
-  const FilledVolume result = filled(volume, 9);
+  const HoleFillResult result = filled(volume, 9);
   const Volume expected = plainlyFilled(volume, 9);
   EXPECT_TRUE(result.volume.coverage == expected.coverage);
   std::size_t different = 0;

@@ -48,7 +48,7 @@ TEST(FillSweep, KeepsARampAlongTheSweepAndAcrossTheImage) {
 }
 
 TEST(FillSweep, FollowsTheProbeWhenItSlipsSideways) {
-  // The second frame lies 4 mm to the right and shows the same picture: a bar that follows the probe, which straight bridges would break.
+  // The second frame lies 4 mm to the right and shows the same image: a bar that follows the probe, which straight bridges would break.
   Sweep sweep;
   const auto bar = [](int x, int) { return x == 10 ? 200 : 20; };
   sweep.add(imageOf(21, 9, bar), matrixOf({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}));

@@ -143,7 +143,7 @@ TEST_F(ImportSweep, AFewSmallImagesOfPosesInAnotherUnitAreAskedAbout) {
   const auto questionAt = [&](double perMm) {
     Sequence sequence = sweep();
     for (SequenceFrame& frame : sequence.frames)
-      for (NamedTransform& one : frame.transforms) one.matrix[3] = glm::dvec4(glm::dvec3(one.matrix[3]) * perMm, 1.0);
+      for (FrameTransform& one : frame.transforms) one.matrix[3] = glm::dvec4(glm::dvec3(one.matrix[3]) * perMm, 1.0);
     const auto plan = planFile(written(sequence), nearestAt(0.5, deviceSet("")), noProgress());
     if (!plan) ADD_FAILURE() << plan.error();
     return plan ? plan->smallQuestion.english() : std::string();

@@ -18,7 +18,7 @@ Result<ImportPlan> planFile(const fs::path& file, const SweepImportOptions& opti
   if (!opened) return passOn(opened.error());
   return opened->plan;
 }
-Result<ImportedSweep> importFile(const fs::path& file, const SweepImportOptions& options, Progress& progress) {
+Result<SweepImport> importFile(const fs::path& file, const SweepImportOptions& options, Progress& progress) {
   auto opened = openSweep(file, options, progress);
   if (!opened) return passOn(opened.error());
   return importSweep(std::move(*opened), progress);
@@ -44,7 +44,7 @@ class ImportSweep : public testing::Test {
     for (int n = 0; n < 5; ++n) {
       SequenceFrame frame;
       frame.time_s = 0.1 * n;
-      NamedTransform probe{"Probe", "Reference", glm::dmat4(1.0), PoseStatus::ok};
+      FrameTransform probe{"Probe", "Reference", glm::dmat4(1.0), PoseStatus::ok};
       probe.matrix[3] = glm::dvec4(0.0, 0.0, n, 1.0);
       frame.transforms.push_back(probe);
       sequence.frames.push_back(frame);

@@ -350,7 +350,7 @@ TEST_F(ImportSweep, AClipForOtherImagesIsRefusedByItsNumbers) {
 TEST_F(ImportSweep, TheReferenceThatADeviceSetNamesBecomesTheWorld) {
   Sequence sequence = sweep();
   for (SequenceFrame& frame : sequence.frames) {
-    NamedTransform phantom{"Phantom", "Reference", glm::dmat4(1.0), PoseStatus::ok};
+    FrameTransform phantom{"Phantom", "Reference", glm::dmat4(1.0), PoseStatus::ok};
     phantom.matrix[3] = glm::dvec4(100.0, 0.0, 0.0, 1.0);
     frame.transforms.push_back(phantom);
   }
@@ -389,7 +389,7 @@ TEST_F(ImportSweep, KeepsItsImagesCutToWhatIsImageAndWithNothingElse) {
     EXPECT_TRUE(all->frames[n].otherFields.empty());
     EXPECT_FALSE(all->frames[n].time_s);
     ASSERT_EQ(all->frames[n].transforms.size(), 1u);
-    const NamedTransform& place = all->frames[n].transforms[0];
+    const FrameTransform& place = all->frames[n].transforms[0];
     EXPECT_EQ(place.from + place.to, "ImageReference");
     // Every pixel keeps its place in the world and its grey, or is black beside the clip.
     for (int y = 0; y < all->height; ++y)

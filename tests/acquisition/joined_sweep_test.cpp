@@ -71,14 +71,14 @@ Sequence images(int count, double from_s = 0.0) {
   return sequence;
 }
 
-NamedTransform probeAt(const glm::dvec3& place_mm, double turned_deg) {
-  NamedTransform pose{"Probe", "Tracker", glm::rotate(glm::dmat4(1.0), turned_deg * std::numbers::pi / 180.0, glm::dvec3(0, 0, 1)),
+FrameTransform probeAt(const glm::dvec3& place_mm, double turned_deg) {
+  FrameTransform pose{"Probe", "Tracker", glm::rotate(glm::dmat4(1.0), turned_deg * std::numbers::pi / 180.0, glm::dvec3(0, 0, 1)),
                       PoseStatus::ok};
   pose.matrix[3] = glm::dvec4(place_mm, 1.0);
   return pose;
 }
 
-Sequence posesAt(const std::vector<std::pair<double, NamedTransform>>& given) {
+Sequence posesAt(const std::vector<std::pair<double, FrameTransform>>& given) {
   Sequence poses;
   for (const auto& [time_s, pose] : given) {
     SequenceFrame frame;
@@ -123,7 +123,7 @@ TEST_F(JoinedSweep, APositiveOffsetTakesALaterPose) {
 
 TEST_F(JoinedSweep, ImagesOutsideAndBesideGapsAreInvalidAndCounted) {
   Sequence joined = images(10);  // 0 to 0.9 s
-  std::vector<std::pair<double, NamedTransform>> given;
+  std::vector<std::pair<double, FrameTransform>> given;
   for (const double time_s : {0.1, 0.2, 0.3, 0.7, 0.8}) given.emplace_back(time_s, probeAt({time_s, 0, 0}, 0.0));
   given[4].second.status = PoseStatus::invalid;
   const auto notes = joinPoses(joined, posesAt(given), 0.0, "p.csv");
@@ -146,7 +146,7 @@ TEST_F(JoinedSweep, WithoutACommonMomentBothRangesAreSaid) {
 }
 
 TEST_F(JoinedSweep, PosesMuchCoarserThanTheImagesAreRefusedByBothSteps) {
-  std::vector<std::pair<double, NamedTransform>> given;
+  std::vector<std::pair<double, FrameTransform>> given;
   for (int n = 0; n < 5; ++n) given.emplace_back(50.0 * n, probeAt({0.0, 0.0, n}, 0.0));  // milliseconds taken for seconds
   Sequence some = images(5, 100.05);
   const auto refused = joinPoses(some, posesAt(given), 0.0, "p.csv");
@@ -161,7 +161,7 @@ TEST_F(JoinedSweep, PosesMuchCoarserThanTheImagesAreRefusedByBothSteps) {
 }
 
 TEST_F(JoinedSweep, ANoteSaysTheOffsetWithItsSignAndOnePoseAsOne) {
-  const auto noteOf = [](const std::vector<std::pair<double, NamedTransform>>& given, double offset_s) {
+  const auto noteOf = [](const std::vector<std::pair<double, FrameTransform>>& given, double offset_s) {
     Sequence joined = images(3);
     const auto notes = joinPoses(joined, posesAt(given), offset_s, "p.csv");
     if (!notes) ADD_FAILURE() << notes.error();
@@ -253,19 +253,19 @@ TEST_F(JoinedSweep, IsPlannedAgainWithAnotherOffsetAndWithItsOwnPoses) {
   EXPECT_NEAR(opened->plan.grid.origin_mm.z, 50.0, 1e-9) << "what the images' file says";
 }
 
-TEST_F(JoinedSweep, PicturesNeedARateAndTakeIt) {
-  const fs::path pictures = folder_ / "pictures";
-  fs::create_directories(pictures);
+TEST_F(JoinedSweep, ImagesNeedARateAndTakeIt) {
+  const fs::path images = folder_ / "pictures";
+  fs::create_directories(images);
   for (int n = 0; n < 3; ++n) {
-    GreyImage picture(20, 10, static_cast<std::uint8_t>(50 * n));
-    ASSERT_TRUE(writeImage(viewOf(std::as_const(picture)), 1.0, pictures / ("image" + std::to_string(n) + ".png")));
+    GreyImage image(20, 10, static_cast<std::uint8_t>(50 * n));
+    ASSERT_TRUE(writeImage(viewOf(std::as_const(image)), 1.0, images / ("image" + std::to_string(n) + ".png")));
   }
   SweepImportOptions options = optionsWith(put("p.csv", evenTable(5)));
-  const auto asked = openSweep(pictures, options, noProgress());
+  const auto asked = openSweep(images, options, noProgress());
   ASSERT_FALSE(asked.has_value());
   EXPECT_NE(asked.error().sentence().find("give the images' rate"), std::string::npos) << asked.error();
   options.imageRate_hz = 10.0;
-  const auto timed = openSweep(pictures, options, noProgress());
+  const auto timed = openSweep(images, options, noProgress());
   ASSERT_TRUE(timed.has_value()) << timed.error();
   EXPECT_EQ(timed->plan.frames.used, 3u);
   EXPECT_EQ(timed->sequence.frames[2].time_s, 0.2);

@@ -38,20 +38,20 @@ Sequence lines(const std::string& orientation = "FM") {
   return sequence;
 }
 
-TEST(LineData, BecomesAPictureWhosePixelsLieWhereTheGeometrySays) {
+TEST(LineData, BecomesAnImageWhosePixelsLieWhereTheGeometrySays) {
   for (const char* orientation : {"FM", "FU", "NM", "NU"}) {
     const Sequence recorded = lines(orientation);
     const auto geometry = lineGeometryOf(recorded, nullptr);
     ASSERT_TRUE(geometry.has_value()) << geometry.error();
-    const auto pictures = convertLines(recorded, *geometry, 1, noProgress());
-    ASSERT_TRUE(pictures.has_value()) << pictures.error();
-    EXPECT_EQ(pictures->orientation, "MF");
+    const auto images = convertLines(recorded, *geometry, 1, noProgress());
+    ASSERT_TRUE(images.has_value()) << images.error();
+    EXPECT_EQ(images->orientation, "MF");
     int inside = 0;
     for (int y = 0; y < 120; ++y)
       for (int x = 0; x < 200; ++x) {
         const double u = 0.5 * (x - 100), v = 0.5 * (y - 5) + 20.0;
         const double line = (std::atan2(u, v) * 180.0 / std::numbers::pi + 40.0) / 80.0 * 40.0, sample = (std::hypot(u, v) - 20.0) / 0.5;
-        const int level = pictures->framePixels(1)[static_cast<std::size_t>(200 * y + x)];
+        const int level = images->framePixels(1)[static_cast<std::size_t>(200 * y + x)];
         if (line > 0.01 && line < 39.99 && sample > 0.01 && sample < 99.99) {
           ASSERT_NEAR(level, 2.0 * line + sample + 5.0, 0.51) << orientation << " at " << x << ", " << y;
           ++inside;
@@ -74,15 +74,15 @@ TEST(LineData, FromALinearProbeKeepsConstantsAndItsClip) {
   std::fill(recorded.pixels.begin(), recorded.pixels.end(), std::uint8_t{77});
   const auto geometry = lineGeometryOf(recorded, nullptr);
   ASSERT_TRUE(geometry.has_value()) << geometry.error();
-  const auto pictures = convertLines(recorded, *geometry, 1, noProgress());
-  ASSERT_TRUE(pictures.has_value());
+  const auto images = convertLines(recorded, *geometry, 1, noProgress());
+  ASSERT_TRUE(images.has_value());
   const Clip clip = clipOf(*geometry);
   EXPECT_EQ(clip.origin_px, glm::dvec2(20, 10));
   EXPECT_EQ(clip.size_px, glm::dvec2(81, 101));
   for (int y = 0; y < 120; ++y)
     for (int x = 0; x < 120; ++x) {
       const bool inside = x >= 20 && x <= 100 && y >= 10 && y <= 110;
-      ASSERT_EQ(pictures->framePixels(0)[static_cast<std::size_t>(120 * y + x)], inside ? 77 : 0) << x << ", " << y;
+      ASSERT_EQ(images->framePixels(0)[static_cast<std::size_t>(120 * y + x)], inside ? 77 : 0) << x << ", " << y;
     }
 }
 
@@ -121,16 +121,16 @@ TEST(LineData, OfARealProbeBecomesWhatItsDeviceSetPromises) {
   ASSERT_TRUE(recorded.has_value() && reference.has_value() && device.has_value());
   const auto geometry = lineGeometryOf(*recorded, &*device);
   ASSERT_TRUE(geometry.has_value()) << geometry.error();
-  const auto pictures = convertLines(std::move(*recorded), *geometry, 0, noProgress());
-  ASSERT_TRUE(pictures.has_value()) << pictures.error();
-  ASSERT_EQ(pictures->pixels.size(), reference->pixels.size());
+  const auto images = convertLines(std::move(*recorded), *geometry, 0, noProgress());
+  ASSERT_TRUE(images.has_value()) << images.error();
+  ASSERT_EQ(images->pixels.size(), reference->pixels.size());
   double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
-  for (std::size_t i = 0; i < pictures->pixels.size(); ++i) {
-    const double x = pictures->pixels[i], y = reference->pixels[i];
+  for (std::size_t i = 0; i < images->pixels.size(); ++i) {
+    const double x = images->pixels[i], y = reference->pixels[i];
     n += 1, sx += x, sy += y, sxx += x * x, syy += y * y, sxy += x * y;
   }
   const double correlation = (n * sxy - sx * sy) / std::sqrt((n * sxx - sx * sx) * (n * syy - sy * sy));
-  std::printf("correlation with the other program's pictures: %.4f\n", correlation);
+  std::printf("correlation with the other program's images: %.4f\n", correlation);
   EXPECT_GT(correlation, 0.97);
 }
 

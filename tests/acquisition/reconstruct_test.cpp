@@ -51,7 +51,7 @@ int speckle(int x, int y, int n) {
 /// The definition, written as plainly as it can be: doubles, per voxel the sum of weight * value and of weight.
 std::vector<std::pair<double, double>> plainSums(const Sweep& sweep, const Grid& grid, Interpolation interpolation) {
   std::vector<std::pair<double, double>> sums(grid.voxelCount());
-  for (const PosedFrame& frame : sweep.frames)
+  for (const TrackedFrame& frame : sweep.frames)
     for (int y = 0; y < frame.pixels.height; ++y)
       for (int x = 0; x < frame.pixels.width; ++x) {
         const glm::dvec3 at = ((frame.imageToWorld * Point<frame::Image>{{x, y, 0.0}}).at - grid.origin_mm) / grid.spacing_mm;
@@ -321,7 +321,7 @@ RC_GTEST_PROP(Reconstruct, GivesTheVoxelsOfTheMeanWhenAllWeightsAreEqual, ()) {
   // 0: no weights at all.
   const int level = *rc::gen::elementOf(std::vector{0, 1, 77, 255});
   const GreyImage weights(40, 33, static_cast<std::uint8_t>(level));
-  for (PosedFrame& frame : sweep.frames)
+  for (TrackedFrame& frame : sweep.frames)
     if (level > 0) frame.weights = viewOf(weights);
   options.compounding = Compounding::weighted;
   const auto weighted = reconstruct(sweep.frames, options, noProgress());

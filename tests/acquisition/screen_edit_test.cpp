@@ -30,14 +30,14 @@ glm::dvec2 cornerOf(const FanOutline& fan, double angle_rad) {
 }
 
 glm::dvec2 placeOf(const FanOutline& outline, OutlineGrip grip) {
-  for (const PlacedGrip& each : gripsOf(outline))
+  for (const GripPosition& each : gripsOf(outline))
     if (each.grip == grip) return each.at_px;
   ADD_FAILURE() << "no such grip";
   return {};
 }
 
-FoundScreen found() {
-  FoundScreen screen;
+ScreenAnalysis found() {
+  ScreenAnalysis screen;
   screen.width_px = 800;
   screen.height_px = 600;
   screen.outline = fan();
@@ -48,9 +48,9 @@ FoundScreen found() {
 
 TEST(OutlineGrips, EachIsWhereItIsPut) {
   const FanOutline before = fan();
-  const std::vector<PlacedGrip> grips = gripsOf(before);
+  const std::vector<GripPosition> grips = gripsOf(before);
   ASSERT_EQ(grips.size(), 6u);
-  for (const PlacedGrip& each : grips) {
+  for (const GripPosition& each : grips) {
     EXPECT_LT(glm::distance(placeOf(withGripAt(before, each.grip, each.at_px), each.grip), each.at_px), 1e-9);
     EXPECT_GT(overlapOf(withGripAt(before, each.grip, each.at_px), before, 800, 600), 0.999);
   }
@@ -158,7 +158,7 @@ TEST(ScreenFrames, AnyFrameIsTheSameInAnyOrder) {
 }
 
 TEST(ScreenEdit, ABoxThatMayBeTextCountsOnceItIsConfirmed) {
-  FoundScreen still = found();
+  ScreenAnalysis still = found();
   still.parts[1].kind = ScreenPartKind::possibleText;
   ScreenEdit edit(still);
   ASSERT_EQ(edit.boxes().size(), 2u);
@@ -175,7 +175,7 @@ TEST(ScreenEdit, ABoxThatMayBeTextCountsOnceItIsConfirmed) {
   EXPECT_TRUE(edit.correction().added.empty());
 }
 
-TEST(ScreenEdit, TurnedPicturesTakeBackWhatWasSaidInTheirPixels) {
+TEST(ScreenEdit, TurnedImagesTakeBackWhatWasSaidInTheirPixels) {
   ScreenEdit edit(found());
   edit.setDepth_mm(150.0);
   EXPECT_FALSE(edit.setTurned({1, false})) << "nothing had been corrected";

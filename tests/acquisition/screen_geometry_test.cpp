@@ -20,7 +20,7 @@ FanOutline rectangleOf(double left, double top, double right, double bottom) {
 }
 
 TEST(Screen, CorrectionsReplaceAddAndRemove) {
-  FoundScreen found;
+  ScreenAnalysis found;
   found.width_px = 200;
   found.height_px = 150;
   found.outline = rectangleOf(20, 10, 180, 140);
@@ -47,7 +47,7 @@ TEST(Screen, CorrectionsReplaceAddAndRemove) {
 }
 
 TEST(Screen, TheRecordingsOwnScaleIsUsedAndHeldAgainstWhatIsStated) {
-  FoundScreen found;
+  ScreenAnalysis found;
   found.width_px = 400;
   found.height_px = 200;
   FanOutline right;
@@ -76,7 +76,7 @@ bool says(const ScreenGeometry& geometry, const char* words) {
 }
 
 TEST(Screen, WhichOfSeveralScalesWasTakenIsSaid) {
-  FoundScreen found;
+  ScreenAnalysis found;
   found.width_px = 400;
   found.height_px = 200;
   found.outline = rectangleOf(220, 20, 380, 180);
@@ -99,7 +99,7 @@ TEST(Screen, WhichOfSeveralScalesWasTakenIsSaid) {
 }
 
 TEST(Screen, AScanThatLiesBesideTheStatedPartIsNamed) {
-  FoundScreen found;
+  ScreenAnalysis found;
   found.width_px = 400;
   found.height_px = 200;
   found.outline = rectangleOf(220, 20, 380, 180);
@@ -125,7 +125,7 @@ TEST(Screen, AScanThatLiesBesideTheStatedPartIsNamed) {
 }
 
 TEST(Screen, TheDepthIsAskedForOnlyWhereNothingSaysIt) {
-  FoundScreen found;
+  ScreenAnalysis found;
   found.width_px = 400;
   found.height_px = 200;
   found.outline = rectangleOf(20, 20, 380, 180);
@@ -149,7 +149,7 @@ TEST(Screen, TheFileOfAScreenGivesTheCorrectionBack) {
   correction.outline = fan;
   correction.depth_mm = 160.0;
   correction.added = {{1, 2, 3, 4}};
-  FoundScreen found;
+  ScreenAnalysis found;
   found.width_px = 640;
   found.height_px = 480;
   ASSERT_TRUE(writeScreen(found, correction, file));
@@ -168,18 +168,18 @@ TEST(Screen, FilledTextIsBetweenWhatLiesAround) {
   geometry.height_px = 60;
   geometry.outline = rectangleOf(0, 0, 79, 59);
   geometry.text = {{30, 20, 20, 10}};
-  GreyImage picture(80, 60), clean;
+  GreyImage image(80, 60), clean;
   for (int y = 0; y < 60; ++y)
-    for (int x = 0; x < 80; ++x) viewOf(picture).at(x, y) = static_cast<std::uint8_t>(50 + x + y);
-  GreyImage written = picture;
+    for (int x = 0; x < 80; ++x) viewOf(image).at(x, y) = static_cast<std::uint8_t>(50 + x + y);
+  GreyImage written = image;
   for (int y = 22; y < 28; ++y)
     for (int x = 32; x < 48; ++x) viewOf(written).at(x, y) = 255;
   ScreenCleaner(geometry, {}).clean(written, clean);
   for (int y = 0; y < 60; ++y)
-    for (int x = 0; x < 80; ++x) EXPECT_NEAR(viewOf(clean).at(x, y), viewOf(picture).at(x, y), 3) << x << " " << y;
+    for (int x = 0; x < 80; ++x) EXPECT_NEAR(viewOf(clean).at(x, y), viewOf(image).at(x, y), 3) << x << " " << y;
   ScreenCleaner(geometry, {.fill = TextFill::black}).clean(written, clean);
   EXPECT_EQ(viewOf(clean).at(40, 25), 0);
-  EXPECT_EQ(viewOf(clean).at(29, 25), viewOf(picture).at(29, 25));
+  EXPECT_EQ(viewOf(clean).at(29, 25), viewOf(image).at(29, 25));
 }
 
 }  // namespace

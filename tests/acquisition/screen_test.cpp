@@ -29,20 +29,20 @@ constexpr double kReadable = 0.6;  ///< correlation from which a character count
 
 struct Worst {
   double apex_mm = 0.0, angle_deg = 0.0, overlap = 1.0, quality = 1.0, tick_px = 0.0, filled = 0.0, readable = 0.0, drawn = 1.0;
-  int differs = 0;  ///< by so many levels a cleaned picture differs from one without text, around a text
+  int differs = 0;  ///< by so many levels a cleaned image differs from one without text, around a text
   int screensWithText = 0;
 };
 
-bool isDoubted(const FoundScreen& found) {
+bool isDoubted(const ScreenAnalysis& found) {
   return std::any_of(found.notes.begin(), found.notes.end(),
                      [](const Message& note) { return note.english().find("found with doubt") != std::string::npos; });
 }
 
 /// The outline beside the drawn one: says every figure and keeps the worst.
-void compareOutline(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+void compareOutline(const DrawnScreen& screen, const ScreenAnalysis& found, unsigned seed, Worst& worst) {
   ASSERT_TRUE(found.outline) << "screen " << seed << ", quality " << found.quality;
-  const cv::Mat& picture = screen.frames.front();
-  const double overlap = overlapOf(*found.outline, screen.truth, picture.cols, picture.rows);
+  const cv::Mat& image = screen.frames.front();
+  const double overlap = overlapOf(*found.outline, screen.truth, image.cols, image.rows);
   EXPECT_EQ(found.outline->shape, screen.truth.shape) << seed;
   EXPECT_GE(overlap, 0.98) << seed;
   worst.overlap = std::min(worst.overlap, overlap);
@@ -60,7 +60,7 @@ void compareOutline(const DrawnScreen& screen, const FoundScreen& found, unsigne
 }
 
 /// The scale beside the drawn one, and what a statement of its distance makes of it.
-void compareScale(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+void compareScale(const DrawnScreen& screen, const ScreenAnalysis& found, unsigned seed, Worst& worst) {
   ASSERT_TRUE(found.ticks) << seed;
   const double off = std::abs(found.ticks->spacing_px - screen.tick_mm / screen.pixel_mm);
   EXPECT_LT(off, 0.2) << seed;
@@ -71,7 +71,7 @@ void compareScale(const DrawnScreen& screen, const FoundScreen& found, unsigned 
 }
 
 /// No character over the scan is left, little of the scan is lost, and nothing of what stood around is kept.
-void compareCleaning(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+void compareCleaning(const DrawnScreen& screen, const ScreenAnalysis& found, unsigned seed, Worst& worst) {
   const auto geometry = corrected(found, {});
   ASSERT_TRUE(geometry) << geometry.error();
   const ScreenCleaner cleaner(*geometry, {});
@@ -79,8 +79,8 @@ void compareCleaning(const DrawnScreen& screen, const FoundScreen& found, unsign
   const double filled = static_cast<double>(cleaner.pixelsFilled()) / static_cast<double>(cleaner.pixelsInside());
   EXPECT_LE(filled, 0.01) << seed;
   worst.filled = std::max(worst.filled, filled);
-  const cv::Mat& picture = screen.frames.front();
-  const GreyImage drawn = frameOf(picture).level;
+  const cv::Mat& image = screen.frames.front();
+  const GreyImage drawn = frameOf(image).level;
   const std::array<GreyImage, 4> cleaned = lookedAt(cleaner, screen.frames), never = lookedAt(cleaner, screen.bare);
   constexpr std::array looks{"first", "last", "mean", "lowest"};
   int left = 0;
@@ -90,12 +90,12 @@ void compareCleaning(const DrawnScreen& screen, const FoundScreen& found, unsign
     worst.drawn = std::min(worst.drawn, before);
     for (std::size_t n = 0; n < cleaned.size(); ++n) {
       // Where nothing was ever written the search finds a likeness as well, in the edge of a scan first of all: such a place is left out
-      // only where the cleaned picture is equal, to the last pixel, to one in which the text was never drawn.
+      // only where the cleaned image is equal, to the last pixel, to one in which the text was never drawn.
       const int differs = largestDifference(cleaned[n], never[n], cleaner.kept(), text);
       worst.differs = std::max(worst.differs, differs);
       if (differs == 0) continue;
       const double after = readability(cleaned[n], cleaner.kept(), text);
-      EXPECT_LT(after, kReadable) << seed << " " << text.text << " (" << before << ") in the " << looks[n] << " picture, differs by "
+      EXPECT_LT(after, kReadable) << seed << " " << text.text << " (" << before << ") in the " << looks[n] << " image, differs by "
                                   << differs << ", at " << text.rect << " font " << text.font << " scale " << text.scale << " thickness "
                                   << text.thickness << " line " << text.line;
       worst.readable = std::max(worst.readable, after);
@@ -104,8 +104,8 @@ void compareCleaning(const DrawnScreen& screen, const FoundScreen& found, unsign
   }
   worst.screensWithText += left > 0 ? 1 : 0;
   cleaner.clean(drawn, clean);
-  const GreyImage truth = maskOf(screen.truth, picture.cols, picture.rows);
-  cv::Mat mask(picture.rows, picture.cols, CV_8U), grown;
+  const GreyImage truth = maskOf(screen.truth, image.cols, image.rows);
+  cv::Mat mask(image.rows, image.cols, CV_8U), grown;
   std::copy(truth.pixels.begin(), truth.pixels.end(), mask.ptr());
   cv::dilate(mask, grown, cv::getStructuringElement(cv::MORPH_RECT, {9, 9}));
   int around = 0;
@@ -115,7 +115,7 @@ void compareCleaning(const DrawnScreen& screen, const FoundScreen& found, unsign
   EXPECT_EQ(around, 0) << seed;
 }
 
-void compare(const DrawnScreen& screen, const FoundScreen& found, unsigned seed, Worst& worst) {
+void compare(const DrawnScreen& screen, const ScreenAnalysis& found, unsigned seed, Worst& worst) {
   ASSERT_NO_FATAL_FAILURE(compareOutline(screen, found, seed, worst));
   ASSERT_NO_FATAL_FAILURE(compareCleaning(screen, found, seed, worst));
   compareScale(screen, found, seed, worst);
@@ -240,8 +240,8 @@ TEST(ScreenOfRecordings, WideCurvilinearScanLines) {
   geometry.size_px = {1100, 570};
   geometry.pixel_mm = 0.15;
   geometry.face_px = {550.0, 80.0};
-  const auto pictures = convertLines(*std::move(lines), geometry, 0, noProgress());
-  ASSERT_TRUE(pictures) << pictures.error();
+  const auto images = convertLines(*std::move(lines), geometry, 0, noProgress());
+  ASSERT_TRUE(images) << images.error();
   FanOutline truth;
   truth.shape = FanShape::convex;
   truth.apex_px = {550.0, 80.0 - 10.0 / 0.15};
@@ -249,11 +249,11 @@ TEST(ScreenOfRecordings, WideCurvilinearScanLines) {
   truth.right_rad = 75.0 * kDegree;
   truth.near_px = 10.0 / 0.15;
   truth.far_px = 82.0 / 0.15;
-  // Five pictures of a tank in which next to nothing moves: its echoes stand as still as text, which is said.
+  // Five images of a tank in which next to nothing moves: its echoes stand as still as text, which is said.
   Worst worst;
   for (unsigned seed = 101; seed <= 103; ++seed) {
-    const DrawnScreen screen = screenAround(*pictures, truth, 0.15, seed);
-    const FoundScreen found = findScreen(statisticsOf(screen));
+    const DrawnScreen screen = screenAround(*images, truth, 0.15, seed);
+    const ScreenAnalysis found = findScreen(statisticsOf(screen));
     compareOutline(screen, found, seed, worst);
     compareScale(screen, found, seed, worst);
     ASSERT_FALSE(found.notes.empty());
@@ -306,13 +306,13 @@ TEST(ScreenOfRecordings, LinearCarotidThatStandsStill) {
   Worst worst;
   for (unsigned seed = 101; seed <= 103; ++seed) {
     const DrawnScreen screen = screenAround(still, rectangleOf(-0.5, -0.5, 607.5, 591.5), 0.0507, seed);
-    const FoundScreen found = findScreen(statisticsOf(screen));
+    const ScreenAnalysis found = findScreen(statisticsOf(screen));
     compareOutline(screen, found, seed, worst);
     compareScale(screen, found, seed, worst);
     ASSERT_FALSE(found.notes.empty());
     EXPECT_NE(found.notes.front().english().find("brightness alone"), std::string::npos) << "text over a still scan is not promised";
   }
-  tell("carotid, one picture", worst);
+  tell("carotid, one image", worst);
 }
 
 TEST(ScreenOfRecordings, WiresInWaterHaveNoOutlineAndThisIsSaid) {
@@ -320,7 +320,7 @@ TEST(ScreenOfRecordings, WiresInWaterHaveNoOutlineAndThisIsSaid) {
   const auto sweep = readSequence(recording("wire-phantom-pair/fCal_Test_Validation_3NWires_fCal2.0.igs.mha"));
   ASSERT_TRUE(sweep) << sweep.error();
   // Water is as black as what lies around the scan.
-  const FoundScreen found = findScreen(statisticsOf(screenAround(*sweep, rectangleOf(100, 20, 700, 600), 0.08, 101)));
+  const ScreenAnalysis found = findScreen(statisticsOf(screenAround(*sweep, rectangleOf(100, 20, 700, 600), 0.08, 101)));
   EXPECT_FALSE(found.outline) << found.outline->word() << ", quality " << found.quality;
   ASSERT_FALSE(found.notes.empty());
   EXPECT_NE(found.notes.back().english().find("not found"), std::string::npos);
@@ -360,7 +360,7 @@ TEST(ScreenRecording, AFilmBecomesACleanedSequence) {
       const cv::Mat& first = screen.frames.front();
       auto clip = ClipWriter::open(folder / name, first.cols, first.rows, 20.0);
       ASSERT_TRUE(clip) << clip.error();
-      for (const cv::Mat& picture : screen.frames) ASSERT_TRUE(clip->add(frameOf(picture).colour));
+      for (const cv::Mat& image : screen.frames) ASSERT_TRUE(clip->add(frameOf(image).colour));
       ASSERT_TRUE(clip->finish());
       auto opened = openScreen(folder / name);
       ASSERT_TRUE(opened) << opened.error();
@@ -403,7 +403,7 @@ TEST(ScreenRecording, AGuessedNumberOfFramesIsHeldAgainstNobody) {
   EXPECT_FALSE(opened->brokenOff) << opened->brokenOff->sentence();
   EXPECT_EQ(opened->times_s.size(), 20u);
   EXPECT_EQ(opened->found.frames, 20) << "all were looked at";
-  const KeptShare kept = keptOf(*opened, geometry, options);
+  const Retention kept = keptOf(*opened, geometry, options);
   EXPECT_EQ(kept.frames, 20u);
   EXPECT_EQ(kept.framesOf, 20u);
   const auto cleaned = writeCleaned(*opened, geometry, options, folder / "clean.igs.mha");
@@ -414,36 +414,36 @@ TEST(ScreenRecording, AGuessedNumberOfFramesIsHeldAgainstNobody) {
   const auto half = openScreen(folder.put("half.mkv", bytes.substr(0, bytes.size() / 2)));
   ASSERT_TRUE(half) << half.error();
   ASSERT_TRUE(half->brokenOff);
-  const KeptShare ofHalf = keptOf(*half, geometry, options);
+  const Retention ofHalf = keptOf(*half, geometry, options);
   EXPECT_LT(ofHalf.frames, 15u);
   EXPECT_NEAR(static_cast<double>(ofHalf.framesOf), 20.0, 1.0) << "those that were lost are counted too";
 }
 
-/// Pictures of one size, made by `draw` from their number.
+/// Images of one size, made by `draw` from their number.
 template <class Draw>
-FoundScreen foundIn(const cv::Size& size, int frames, const Draw& draw) {
+ScreenAnalysis foundIn(const cv::Size& size, int frames, const Draw& draw) {
   ScreenStatistics statistics(size.width, size.height);
   for (int n = 0; n < frames; ++n) {
-    cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
-    draw(picture, n);
-    statistics.add(frameOf(picture));
+    cv::Mat image = cv::Mat::zeros(size, CV_8UC3);
+    draw(image, n);
+    statistics.add(frameOf(image));
   }
   return findScreen(statistics);
 }
 
-/// The first picture of a made screen over and over, with so few pixels that differ as a probe at rest shows.
+/// The first image of a made screen over and over, with so few pixels that differ as a probe at rest shows.
 DrawnScreen standingStill(unsigned seed, int frames) {
   DrawnScreen screen = madeScreen(seed, 1);
   const cv::Mat first = screen.frames.front();
   screen.frames.clear();
   cv::RNG random(seed);
   for (int n = 0; n < frames; ++n) {
-    cv::Mat picture = first.clone();
-    for (int y = 0; y < picture.rows; ++y)
-      for (int x = 0; x < picture.cols; ++x)
+    cv::Mat image = first.clone();
+    for (int y = 0; y < image.rows; ++y)
+      for (int x = 0; x < image.cols; ++x)
         if (random.uniform(0, 100) < 3)
-          for (int channel = 0; channel < 3; ++channel) picture.at<cv::Vec3b>(y, x)[channel] ^= 8;
-    screen.frames.push_back(picture);
+          for (int channel = 0; channel < 3; ++channel) image.at<cv::Vec3b>(y, x)[channel] ^= 8;
+    screen.frames.push_back(image);
   }
   return screen;
 }
@@ -454,7 +454,7 @@ TEST(Screen, InAScanThatHardlyMovesNoTextCountsUntilSomebodySaysSo) {
     for (const unsigned seed : {3u, 5u, 8u}) {
       const DrawnScreen screen = standingStill(seed, frames);
       const FanOutline truth = screen.truth;
-      const FoundScreen found = findScreen(statisticsOf(screen), truth);
+      const ScreenAnalysis found = findScreen(statisticsOf(screen), truth);
       std::vector<PixelRect> places;
       for (const ScreenPart& part : found.parts) {
         EXPECT_NE(part.kind, ScreenPartKind::text) << seed << " of " << frames;
@@ -487,11 +487,11 @@ TEST(Screen, ALayerThatStandsStillEndsNoScan) {
       below.far_px = glm::mix(screen.truth.near_px, screen.truth.far_px, 0.85);
     }
     for (auto* frames : {&screen.frames, &screen.bare})
-      for (cv::Mat& picture : *frames)
-        for (int y = 0; y < picture.rows; ++y)
-          for (int x = 0; x < picture.cols; ++x)
-            if (below.contains({x, y}) && !above.contains({x, y})) picture.at<cv::Vec3b>(y, x) = cv::Vec3b(210, 210, 210);
-    const FoundScreen found = findScreen(statisticsOf(screen));
+      for (cv::Mat& image : *frames)
+        for (int y = 0; y < image.rows; ++y)
+          for (int x = 0; x < image.cols; ++x)
+            if (below.contains({x, y}) && !above.contains({x, y})) image.at<cv::Vec3b>(y, x) = cv::Vec3b(210, 210, 210);
+    const ScreenAnalysis found = findScreen(statisticsOf(screen));
     ASSERT_TRUE(found.outline) << seed;
     EXPECT_GE(overlapOf(*found.outline, screen.truth, screen.frames.front().cols, screen.frames.front().rows), 0.98) << seed;
   }
@@ -505,16 +505,16 @@ void expectFoundThough(const char* what, const std::function<bool(const FanOutli
     const FanOutline& scan = screen.truth;
     if (scan.shape != FanShape::convex) continue;
     ++fans;
-    for (cv::Mat& picture : screen.frames)
-      for (int y = 0; y < picture.rows; ++y)
-        for (int x = 0; x < picture.cols; ++x) {
+    for (cv::Mat& image : screen.frames)
+      for (int y = 0; y < image.rows; ++y)
+        for (int x = 0; x < image.cols; ++x) {
           if (!scan.contains({x, y})) continue;
           const glm::dvec2 d = glm::dvec2(x, y) - scan.apex_px;
           const double depth = (glm::length(d) - scan.near_px) / (scan.far_px - scan.near_px),
                        across = (std::atan2(d.x, d.y) - scan.left_rad) / (scan.right_rad - scan.left_rad);
-          if (isBlack(scan, depth, across)) picture.at<cv::Vec3b>(y, x) = cv::Vec3b(0, 0, 0);
+          if (isBlack(scan, depth, across)) image.at<cv::Vec3b>(y, x) = cv::Vec3b(0, 0, 0);
         }
-    const FoundScreen found = findScreen(statisticsOf(screen));
+    const ScreenAnalysis found = findScreen(statisticsOf(screen));
     ASSERT_TRUE(found.outline) << what << " " << seed;
     EXPECT_GE(overlapOf(*found.outline, scan, screen.frames.front().cols, screen.frames.front().rows), 0.97) << what << " " << seed;
   }
@@ -530,17 +530,16 @@ TEST(Screen, WhatSendsNothingBackPartsNoScan) {
 TEST(Screen, NothingThatLooksLikeAScanIsSaidPlainly) {
   cv::RNG random(3);
   const auto black = [](cv::Mat&, int) {};
-  const auto white = [](cv::Mat& picture, int) { picture.setTo(cv::Scalar(255, 255, 255)); };
-  const auto menu = [](cv::Mat& picture, int n) {
-    cv::putText(picture, "Settings " + std::to_string(n), {30, 60}, cv::FONT_HERSHEY_SIMPLEX, 0.6, cv::Scalar(255, 255, 255));
+  const auto white = [](cv::Mat& image, int) { image.setTo(cv::Scalar(255, 255, 255)); };
+  const auto menu = [](cv::Mat& image, int n) {
+    cv::putText(image, "Settings " + std::to_string(n), {30, 60}, cv::FONT_HERSHEY_SIMPLEX, 0.6, cv::Scalar(255, 255, 255));
   };
-  const auto grain = [&](cv::Mat& picture, int) { random.fill(picture, cv::RNG::UNIFORM, 0, 256); };
-  const auto rareGrain = [&](cv::Mat& picture, int) {
-    for (int dot = 0; dot < 400; ++dot)
-      picture.at<cv::Vec3b>(random.uniform(0, picture.rows), random.uniform(0, picture.cols)) = {200, 200, 200};
+  const auto grain = [&](cv::Mat& image, int) { random.fill(image, cv::RNG::UNIFORM, 0, 256); };
+  const auto rareGrain = [&](cv::Mat& image, int) {
+    for (int dot = 0; dot < 400; ++dot) image.at<cv::Vec3b>(random.uniform(0, image.rows), random.uniform(0, image.cols)) = {200, 200, 200};
   };
-  const auto pointer = [](cv::Mat& picture, int n) { cv::circle(picture, {40 + 20 * n, 120}, 7, cv::Scalar(255, 255, 255), -1); };
-  const auto check = [](const char* what, const FoundScreen& found) {
+  const auto pointer = [](cv::Mat& image, int n) { cv::circle(image, {40 + 20 * n, 120}, 7, cv::Scalar(255, 255, 255), -1); };
+  const auto check = [](const char* what, const ScreenAnalysis& found) {
     EXPECT_FALSE(found.outline) << what << ": " << found.outline->word() << ", quality " << found.quality;
     ASSERT_FALSE(found.notes.empty()) << what;
     EXPECT_NE(found.notes.back().english().find("not found"), std::string::npos) << what;
@@ -553,22 +552,22 @@ TEST(Screen, NothingThatLooksLikeAScanIsSaidPlainly) {
     check("menu", foundIn(size, 6, menu));
     check("rare grain", foundIn(size, 6, rareGrain));
     check("pointer", foundIn(size, 6, pointer));
-    check("one black picture", foundIn(size, 1, black));
-    check("no picture", foundIn(size, 0, black));
+    check("one black image", foundIn(size, 1, black));
+    check("no image", foundIn(size, 0, black));
   }
   for (const cv::Size& size : {cv::Size(1, 1), cv::Size(2, 500), cv::Size(500, 2), cv::Size(17, 13)}) {
     check("tiny", foundIn(size, 4, black));
     foundIn(size, 4, grain);  // any answer, no crash
     foundIn(size, 1, white);
   }
-  // Grain all over is a rectangle that fills the picture: an answer, and a true one.
-  const FoundScreen whole = foundIn({320, 240}, 6, grain);
+  // Grain all over is a rectangle that fills the image: an answer, and a true one.
+  const ScreenAnalysis whole = foundIn({320, 240}, 6, grain);
   if (whole.outline) {
     EXPECT_GT(overlapOf(*whole.outline, rectangleOf(0, 0, 319, 239), 320, 240), 0.95);
   }
 }
 
-TEST(Screen, ADarkScanOfAPortraitPictureAndOneOf4KAreFound) {
+TEST(Screen, ADarkScanOfAPortraitImageAndOneOf4KAreFound) {
   Worst worst;
   for (const auto& [size, seed] : {std::pair(cv::Size(720, 1280), 61u), std::pair(cv::Size(3840, 2160), 62u)}) {
     std::mt19937 random(seed);
@@ -587,9 +586,9 @@ TEST(Screen, ADarkScanOfAPortraitPictureAndOneOf4KAreFound) {
     const Furniture furniture = furnish(screen.truth, size, screen.pixel_mm, screen.tick_mm, random);
     for (const auto& [text, colour] : furniture.texts) screen.texts.push_back(text);
     for (int n = 0; n < 8; ++n) {
-      cv::Mat picture;
-      cv::cvtColor(scanOf(level, speckle, n), picture, cv::COLOR_GRAY2BGR);
-      addFrame(screen, picture, furniture, n);
+      cv::Mat image;
+      cv::cvtColor(scanOf(level, speckle, n), image, cv::COLOR_GRAY2BGR);
+      addFrame(screen, image, furniture, n);
     }
     compare(screen, findScreen(statisticsOf(screen)), seed, worst);
   }

@@ -120,8 +120,8 @@ inline cv::Rect inkOf(const DrawnText& text) {
   return {text.at.x - 1, text.at.y - size.height - 1, size.width + 2, size.height + base / 2 + 2};
 }
 
-inline void draw(cv::Mat& picture, const DrawnText& text, const cv::Scalar& colour) {
-  cv::putText(picture, text.text, text.at, text.font, text.scale, colour, text.thickness, text.line);
+inline void draw(cv::Mat& canvas, const DrawnText& text, const cv::Scalar& colour) {
+  cv::putText(canvas, text.text, text.at, text.font, text.scale, colour, text.thickness, text.line);
 }
 
 /// Texts, scale, bar, logo, and what else a machine puts around a scan.
@@ -136,30 +136,30 @@ struct Furniture {
 };
 
 /// @param overScan false: texts over the scan are left out
-inline void drawFurniture(cv::Mat& picture, const Furniture& f, int frame, bool overScan = true) {
-  const int width = picture.cols, height = picture.rows;
+inline void drawFurniture(cv::Mat& canvas, const Furniture& f, int frame, bool overScan = true) {
+  const int width = canvas.cols, height = canvas.rows;
   for (int y = 0; y < f.bar.height; ++y) {
     const int level = 255 - 255 * y / std::max(1, f.bar.height - 1);
-    cv::line(picture, {f.bar.x, f.bar.y + y}, {f.bar.x + f.bar.width - 1, f.bar.y + y}, cv::Scalar(level, level, level));
+    cv::line(canvas, {f.bar.x, f.bar.y + y}, {f.bar.x + f.bar.width - 1, f.bar.y + y}, cv::Scalar(level, level, level));
   }
   // Colour bar: towards the probe red to yellow, away from it blue to cyan, black between them.
   for (int y = 0; y < f.colourBar.height; ++y) {
     const double share = 1.0 - 2.0 * y / std::max(1, f.colourBar.height - 1), strong = 255.0 * std::min(1.0, 1.6 * std::abs(share));
     const double second = 255.0 * std::max(0.0, 2.0 * std::abs(share) - 1.0);
     const cv::Scalar colour = share > 0.0 ? cv::Scalar(0, second, strong) : cv::Scalar(strong, second, 0);
-    cv::line(picture, {f.colourBar.x, f.colourBar.y + y}, {f.colourBar.x + f.colourBar.width - 1, f.colourBar.y + y}, colour);
+    cv::line(canvas, {f.colourBar.x, f.colourBar.y + y}, {f.colourBar.x + f.colourBar.width - 1, f.colourBar.y + y}, colour);
   }
   for (int n = 0; n < f.ticks; ++n) {
     const int y = static_cast<int>(std::lround(f.first_px + n * f.spacing_px)), length = n % f.major == 0 ? 12 : 6;
-    cv::line(picture, {f.x, y}, {f.ticksToLeft ? f.x - length : f.x + length, y}, cv::Scalar(230, 230, 230));
+    cv::line(canvas, {f.x, y}, {f.ticksToLeft ? f.x - length : f.x + length, y}, cv::Scalar(230, 230, 230));
     if (n % f.major == 0 && n > 0)
-      cv::putText(picture, std::to_string(n / f.major), {f.ticksToLeft ? f.x + 6 : f.x + 16, y + 4}, cv::FONT_HERSHEY_SIMPLEX, 0.35,
+      cv::putText(canvas, std::to_string(n / f.major), {f.ticksToLeft ? f.x + 6 : f.x + 16, y + 4}, cv::FONT_HERSHEY_SIMPLEX, 0.35,
                   cv::Scalar(230, 230, 230), 1, cv::LINE_AA);
   }
-  if (f.logo == 1) cv::circle(picture, {width - 40, 36}, 18, cv::Scalar(200, 120, 20), -1, cv::LINE_AA);
-  if (f.logo == 2) cv::rectangle(picture, {width - 70, 12}, {width - 20, 44}, cv::Scalar(30, 160, 240), 3);
+  if (f.logo == 1) cv::circle(canvas, {width - 40, 36}, 18, cv::Scalar(200, 120, 20), -1, cv::LINE_AA);
+  if (f.logo == 2) cv::rectangle(canvas, {width - 70, 12}, {width - 20, 44}, cv::Scalar(30, 160, 240), 3);
   if (f.counter)
-    cv::putText(picture, std::to_string(100 + frame) + "/240", {width - 120, height - 12}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
+    cv::putText(canvas, std::to_string(100 + frame) + "/240", {width - 120, height - 12}, cv::FONT_HERSHEY_SIMPLEX, 0.45,
                 cv::Scalar(200, 200, 200), 1, cv::LINE_AA);
   if (f.ecg) {
     std::vector<cv::Point> line;
@@ -168,18 +168,18 @@ inline void drawFurniture(cv::Mat& picture, const Furniture& f, int frame, bool 
       const double beat = phase > 0.45 && phase < 0.5 ? -22.0 : phase >= 0.5 && phase < 0.53 ? 8.0 : 3.0 * std::sin(6.28 * phase);
       line.emplace_back(x, height - 40 + static_cast<int>(beat));
     }
-    cv::polylines(picture, line, false, cv::Scalar(60, 220, 60), 1, cv::LINE_AA);
+    cv::polylines(canvas, line, false, cv::Scalar(60, 220, 60), 1, cv::LINE_AA);
   }
   for (const auto& [text, colour] : f.texts)
-    if (overScan || !text.over) draw(picture, text, colour);
+    if (overScan || !text.over) draw(canvas, text, colour);
 }
 
 /// One more moment of a screen.
 inline void addFrame(DrawnScreen& screen, const cv::Mat& scan, const Furniture& furniture, int frame) {
   for (const bool overScan : {true, false}) {
-    cv::Mat picture = scan.clone();
-    drawFurniture(picture, furniture, frame, overScan);
-    (overScan ? screen.frames : screen.bare).push_back(picture);
+    cv::Mat canvas = scan.clone();
+    drawFurniture(canvas, furniture, frame, overScan);
+    (overScan ? screen.frames : screen.bare).push_back(canvas);
   }
 }
 
@@ -298,9 +298,9 @@ inline DrawnScreen madeScreen(unsigned seed, int frames = 12, bool overScan = tr
   for (const auto& [text, colour] : furniture.texts) screen.texts.push_back(text);
   screen.bar = furniture.bar;
   for (int n = 0; n < frames; ++n) {
-    cv::Mat picture;
-    cv::cvtColor(scanOf(level, speckle, n), picture, cv::COLOR_GRAY2BGR);
-    addFrame(screen, picture, furniture, n);
+    cv::Mat canvas;
+    cv::cvtColor(scanOf(level, speckle, n), canvas, cv::COLOR_GRAY2BGR);
+    addFrame(screen, canvas, furniture, n);
   }
   return screen;
 }
@@ -323,16 +323,16 @@ inline DrawnScreen screenAround(const Sequence& recording, const FanOutline& tru
   for (std::size_t n = 0; n < recording.frames.size(); n += every) {
     const auto pixels = recording.framePixels(n);
     const cv::Mat image(recording.height, recording.width, CV_8U, const_cast<std::uint8_t*>(pixels.data()));
-    cv::Mat picture = cv::Mat::zeros(size, CV_8UC3);
-    cv::Mat place = picture(cv::Rect(kScanAt, image.size()));
+    cv::Mat canvas = cv::Mat::zeros(size, CV_8UC3);
+    cv::Mat place = canvas(cv::Rect(kScanAt, image.size()));
     cv::cvtColor(image, place, cv::COLOR_GRAY2BGR);
-    addFrame(screen, picture, furniture, static_cast<int>(n));
+    addFrame(screen, canvas, furniture, static_cast<int>(n));
   }
   return screen;
 }
 
 /// Of ../shared/data/liver-sweep, in its pixels. Apex, angles and near radius as stored with the sweep. The far radius stored is 724.35,
-/// but its pictures go on: along the beams the highest level is 27 at 732 pixels and 3 at 734.
+/// but its images go on: along the beams the highest level is 27 at 732 pixels and 3 at 734.
 inline FanOutline liverSweepOutline() {
   constexpr double degree = 0.017453292519943295;
   FanOutline truth;
@@ -346,16 +346,16 @@ inline FanOutline liverSweepOutline() {
 }
 inline constexpr double kLiverSweepPixel_mm = 0.314818;
 
-inline CineFrame frameOf(const cv::Mat& picture, double time_s = 0.0) {
+inline CineFrame frameOf(const cv::Mat& canvas, double time_s = 0.0) {
   CineFrame frame;
   frame.time_s = time_s;
-  frame.level = GreyImage(picture.cols, picture.rows);
-  frame.colour = RgbImage(picture.cols, picture.rows);
+  frame.level = GreyImage(canvas.cols, canvas.rows);
+  frame.colour = RgbImage(canvas.cols, canvas.rows);
   frame.coloured.resize(frame.level.pixels.size());
-  for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x) {
-      const auto& p = picture.at<cv::Vec3b>(y, x);
-      const std::size_t n = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.cols) + static_cast<std::size_t>(x);
+  for (int y = 0; y < canvas.rows; ++y)
+    for (int x = 0; x < canvas.cols; ++x) {
+      const auto& p = canvas.at<cv::Vec3b>(y, x);
+      const std::size_t n = static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.cols) + static_cast<std::size_t>(x);
       frame.level.pixels[n] = static_cast<std::uint8_t>(std::lround(0.299 * p[2] + 0.587 * p[1] + 0.114 * p[0]));
       frame.colour.pixels[n] = Rgb(p[2], p[1], p[0]);
       frame.coloured[n] = std::max({p[0], p[1], p[2]}) - std::min({p[0], p[1], p[2]}) > 24 ? 1 : 0;
@@ -365,14 +365,14 @@ inline CineFrame frameOf(const cv::Mat& picture, double time_s = 0.0) {
 
 inline ScreenStatistics statisticsOf(const DrawnScreen& screen) {
   ScreenStatistics statistics(screen.frames.front().cols, screen.frames.front().rows);
-  for (const cv::Mat& picture : screen.frames) statistics.add(frameOf(picture));
+  for (const cv::Mat& canvas : screen.frames) statistics.add(frameOf(canvas));
   return statistics;
 }
 
 /// How well the best place around a character looks like it: normalised cross-correlation, 1 for the same. Dots and dashes look like
 /// speckle and are left out.
 inline double readability(const GreyImage& clean, const PixelRect& kept, const DrawnText& text) {
-  cv::Mat picture(clean.height, clean.width, CV_8U, const_cast<std::uint8_t*>(clean.pixels.data()));
+  cv::Mat canvas(clean.height, clean.width, CV_8U, const_cast<std::uint8_t*>(clean.pixels.data()));
   double best = 0.0;
   int base = 0;
   for (std::size_t n = 0; n < text.text.size(); ++n) {
@@ -387,10 +387,10 @@ inline double readability(const GreyImage& clean, const PixelRect& kept, const D
     // Where this letter of the word stands, and 5 pixels around.
     const int before = cv::getTextSize(text.text.substr(0, n), text.font, text.scale, text.thickness, &base).width;
     cv::Rect around(text.at.x + before - 8 - kept.x, text.rect.y - 6 - kept.y, pattern.cols + 16, text.rect.height + 14);
-    around &= cv::Rect(0, 0, picture.cols, picture.rows);
+    around &= cv::Rect(0, 0, canvas.cols, canvas.rows);
     if (around.width < pattern.cols || around.height < pattern.rows) continue;
     cv::Mat found;
-    cv::matchTemplate(picture(around), pattern, found, cv::TM_CCOEFF_NORMED);
+    cv::matchTemplate(canvas(around), pattern, found, cv::TM_CCOEFF_NORMED);
     cv::patchNaNs(found, 0.0);
     double highest = 0.0;
     for (int y = 0; y < found.rows; ++y)
@@ -405,13 +405,13 @@ inline double readability(const GreyImage& clean, const PixelRect& kept, const D
 /// What may be looked at for text that was left: a moment at the beginning and at the end, and mean and minimum over time, in which a scan
 /// that moves fades and text does not.
 inline std::array<GreyImage, 4> lookedAt(const ScreenCleaner& cleaner, const std::vector<cv::Mat>& frames) {
-  std::array<GreyImage, 4> pictures;
+  std::array<GreyImage, 4> images;
   std::vector<double> sum;
   GreyImage clean, lowest;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     cleaner.clean(frameOf(frames[n]).level, clean);
     if (n == 0) {
-      pictures[0] = lowest = clean;
+      images[0] = lowest = clean;
       sum.resize(clean.pixels.size());
     }
     for (std::size_t p = 0; p < sum.size(); ++p) {
@@ -419,14 +419,14 @@ inline std::array<GreyImage, 4> lookedAt(const ScreenCleaner& cleaner, const std
       lowest.pixels[p] = std::min(lowest.pixels[p], clean.pixels[p]);
     }
   }
-  pictures[1] = pictures[2] = clean;
+  images[1] = images[2] = clean;
   for (std::size_t p = 0; p < sum.size(); ++p)
-    pictures[2].pixels[p] = static_cast<std::uint8_t>(std::lround(sum[p] / static_cast<double>(frames.size())));
-  pictures[3] = lowest;
-  return pictures;
+    images[2].pixels[p] = static_cast<std::uint8_t>(std::lround(sum[p] / static_cast<double>(frames.size())));
+  images[3] = lowest;
+  return images;
 }
 
-/// The largest difference of two pictures wherever readability looks for a text.
+/// The largest difference of two images wherever readability looks for a text.
 inline int largestDifference(const GreyImage& a, const GreyImage& b, const PixelRect& kept, const DrawnText& text) {
   const cv::Rect around = cv::Rect(text.rect.x - 16 - kept.x, text.rect.y - 16 - kept.y, text.rect.width + 40, text.rect.height + 32) &
                           cv::Rect(0, 0, a.width, a.height);

@@ -11,7 +11,7 @@ namespace ew::sweeps {
 /// Frames that own their pixels, and the views of them that reconstruct() takes.
 struct Sweep {
   std::deque<GreyImage> images;
-  std::vector<PosedFrame> frames;
+  std::vector<TrackedFrame> frames;
 
   void add(GreyImage image, const glm::dmat4& imageToWorld) {
     images.push_back(std::move(image));

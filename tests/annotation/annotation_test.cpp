@@ -137,7 +137,7 @@ TEST(AnnotationNear, TakesTheNewerOneOfTwoOnEachOther) {
   EXPECT_EQ(annotationNear(list.now(), {-1.0, 0.0}, 1.0, leftward)->number, 2);
 }
 
-TEST(HomePosition, LiesWithinThePicture) {
+TEST(HomePosition, LiesWithinTheImage) {
   EXPECT_EQ(limited({{1.5, -0.2}}).share, glm::dvec2(1.0, 0.0));
   EXPECT_EQ(limited({{kNoNumber, 0.3}}).share, glm::dvec2(HomePosition().share.x, 0.3));
 }

@@ -6,7 +6,7 @@
 #include "ew/assessment/attempt_scoring.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/step_answer.h"
 #include "library/temporary_folder.h"
 
@@ -85,7 +85,7 @@ class AssessedWorld {
     attempt.lessonTitle = lesson_.title;
     attempt.lessonContent = contentOf(lesson_);
     attempt.person = "Somebody";
-    auto kept = KeptAttempt::begin(attemptsFolder(library()), attempt);
+    auto kept = AttemptFolder::begin(attemptsFolder(library()), attempt);
     EXPECT_TRUE(kept) << kept.error();
     for (const Tried& tried : steps) {
       StepOutcome outcome;
@@ -153,7 +153,7 @@ class AssessedWorld {
     Lesson lesson;
     lesson.id = "about-balls";
     lesson.title = "About balls";
-    for (const auto& [id, task] : {std::pair<const char*, LessonTask>{"read", ReadTask{}},
+    for (const auto& [id, task] : {std::pair<const char*, LessonTask>{"read", ReadingTask{}},
                                    {"plane", PlaneTask{"middle", {}, {}}},
                                    {"sweep", SweepTask{"ball", 0.9}},
                                    {"measure", MeasureTask{"ball, across", {}}},

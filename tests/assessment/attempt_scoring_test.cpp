@@ -67,7 +67,7 @@ TEST(ScoreOfAnAttempt, KeepsTheVerdictWhereTheRawDataAreGone) {
   tries[1].score = 0.9;
   tries[1].verdict = StepVerdict::passed;
   const fs::path folder = world.keep("20261101-100000-aaaaaaac", tries);
-  const auto kept = KeptAttempt::open(folder);
+  const auto kept = AttemptFolder::open(folder);
   ASSERT_TRUE(kept);
   std::ofstream(folder / kept->attempt().outcomeOf("plane")->recording) << "torn";
   const AttemptScore score = scored(world, folder);
@@ -159,7 +159,7 @@ TEST(ScoreOfAnAttempt, IsMadeAnewWhenARecordingIsAnotherOne) {
   const AssessedWorld world;
   const fs::path folder = world.keep("20261101-100000-a2a2a2a2", goodTries());
   const AttemptScore before = scored(world, folder);
-  const auto kept = KeptAttempt::open(folder);
+  const auto kept = AttemptFolder::open(folder);
   ASSERT_TRUE(kept);
   const fs::path file = folder / kept->attempt().outcomeOf("plane")->recording;
   ASSERT_TRUE(writeRecording({"ball", "Ball", {640, 480}, stayedAt(4.0), {}}, file));
@@ -267,7 +267,7 @@ TEST(Assess, GoesOnWhereItWasStopped) {
     StopsLater stops(questions);
     const auto all = assess(folders, world.library(), {.threads = 2}, stops);
     std::size_t done = 0;
-    for (const AssessedAttempt& each : all) {
+    for (const AttemptAssessment& each : all) {
       done += each.score ? 1 : 0;
       if (!each.score) {
         EXPECT_EQ(each.problem->code, ErrorCode::cancelled);
@@ -277,7 +277,7 @@ TEST(Assess, GoesOnWhereItWasStopped) {
     before = done;
   }
   const auto all = assess(folders, world.library());
-  for (const AssessedAttempt& each : all) EXPECT_TRUE(each.score);
+  for (const AttemptAssessment& each : all) EXPECT_TRUE(each.score);
   for (const fs::path& folder : folders) EXPECT_EQ(scoresOf(folder).size(), 1u) << "nothing is scored twice";
 }
 
@@ -354,7 +354,7 @@ std::pair<Lesson, Attempt> triedAll(const std::vector<LessonTask>& tasks) {
 }
 
 TEST(AttemptResult, CountsNoStepThatIsOnlyReadUnlessNothingElseIsThere) {
-  const auto [mixed, tried] = triedAll({ReadTask{}, AnswerTask{}, WatchTask{}});
+  const auto [mixed, tried] = triedAll({ReadingTask{}, AnswerTask{}, WatchTask{}});
   const AttemptResult result = attemptResultOf(tried, &mixed, {}, {});
   EXPECT_EQ(result.stepsJudged, 1u);
   EXPECT_EQ(result.stepsPassed, 1u);
@@ -362,7 +362,7 @@ TEST(AttemptResult, CountsNoStepThatIsOnlyReadUnlessNothingElseIsThere) {
   EXPECT_EQ(result.passed(), true);
   EXPECT_EQ(result.worked_s, 30.0);
   EXPECT_FALSE(result.isScored);
-  const auto [read, both] = triedAll({ReadTask{}, ReadTask{}});
+  const auto [read, both] = triedAll({ReadingTask{}, ReadingTask{}});
   const AttemptResult ofReading = attemptResultOf(both, &read, {}, {});
   EXPECT_EQ(ofReading.stepsJudged, 2u);
   EXPECT_DOUBLE_EQ(*ofReading.score(), 0.8) << "not 0 and passed";
@@ -374,7 +374,7 @@ TEST(AttemptResult, CountsNoStepThatIsOnlyReadUnlessNothingElseIsThere) {
 }
 
 TEST(AttemptResult, OfWhatWasHandedInWaits) {
-  auto [lesson, tried] = triedAll({ReadTask{}, AnswerTask{}});
+  auto [lesson, tried] = triedAll({ReadingTask{}, AnswerTask{}});
   tried.outcomes[1].verdict = StepVerdict::handedIn;
   const AttemptResult result = attemptResultOf(tried, &lesson, {}, {});
   EXPECT_FALSE(result.score());

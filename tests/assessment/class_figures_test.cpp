@@ -170,9 +170,9 @@ TEST(Standing, OfAnAttemptIsWhatAnInstructorHasSaidElseWhatItsRatersAgreeOn) {
 TEST(Standing, ByRatersIsKnownWhereAllOfThemSayTheSame) {
   const auto form = std::make_shared<const RatingForm>(test::smallForm());
   const auto rated = [&](const std::string& rater, int score) {
-    return KeptRating{test::ratingOf(*form, rater, {score, score, score}), form};
+    return RatingRecord{test::ratingOf(*form, rater, {score, score, score}), form};
   };
-  KeptRatings ratings;
+  RatingRecords ratings;
   EXPECT_EQ(standingBy(ratings), Standing::unknown);
   ratings.ratings = {rated("Ada", 4), rated("Ben", 3)};
   EXPECT_EQ(standingBy(ratings), Standing::shouldPass);

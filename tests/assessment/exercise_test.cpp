@@ -39,20 +39,20 @@ class ExercisesOfATrunk : public testing::Test {
     Hold hold;
     hold.contact = ground_.skin->nearest({-30.0, -500.0, 20.0});
     hold.press_mm = usualPress_mm(ground_.probe);
-    ExpectedPlane plane;
+    ReferencePlane plane;
     plane.name = "across the ball";
     plane.probeToWorld = poseOf(hold).probeToWorld;
-    ExpectedPlane inside = plane;
+    ReferencePlane inside = plane;
     inside.name = "from within";
     inside.probeToWorld.matrix[3] = glm::dvec4(0.0, -20.0, 0.0, 1.0);
     ground_.truth.planes = {plane, inside};
     ground_.truth.structures = {{"ball", "ball", 1}, {"half", "half", 2}, {"nothing", "nothing", 3}};
-    ExpectedMeasurement width{"ball, width", "diameter", 24.0, "mm", 2.0, {{-42.0, -70.0, 20.0}, {-18.0, -70.0, 20.0}}, plane.name};
-    ExpectedMeasurement fine = width;
+    ReferenceMeasurement width{"ball, width", "diameter", 24.0, "mm", 2.0, {{-42.0, -70.0, 20.0}, {-18.0, -70.0, 20.0}}, plane.name};
+    ReferenceMeasurement fine = width;
     fine.name = "wall";
     fine.tolerance = 0.3;
-    ExpectedMeasurement volume{"ball, volume", "volume", 7.2, "ml", 1.0, {}, {}};
-    ExpectedMeasurement other = width;
+    ReferenceMeasurement volume{"ball, volume", "volume", 7.2, "ml", 1.0, {}, {}};
+    ReferenceMeasurement other = width;
     other.name = "what its points do not read";
     other.value = 20.0;
     ground_.truth.measurements = {width, fine, volume, other};
@@ -84,7 +84,7 @@ TEST_F(ExercisesOfATrunk, AreThoseThatCanBeSolvedAndNotByChance) {
   for (const WithheldExercise& each : list.withheld) why.push_back(each.exercise.target + ": " + each.why.english());
   EXPECT_EQ(why, (std::vector<std::string>{
                      "from within: The plane cannot be reached from the skin.",
-                     "half: It fills so much of most pictures that pointing at random would do.", "nothing: The case has no voxels of it.",
+                     "half: It fills so much of most images that pointing at random would do.", "nothing: The case has no voxels of it.",
                      "wall: Its tolerance is finer than calipers can be set.", "ball, volume: Calipers alone cannot measure it.",
                      "what its points do not read: Its points do not read its value."}));
 }

@@ -43,7 +43,7 @@ TEST(Tolerance, BelongsToWhatItAllowsInEveryDecimal) {
 }
 
 TEST(Tolerance, IsKeptByCalipersPointsAndSweeps) {
-  ExpectedMeasurement expected;
+  ReferenceMeasurement expected;
   expected.value = 12.3;
   expected.unit = "mm";
   for (const double value : {12.1, 12.5}) {
@@ -54,7 +54,7 @@ TEST(Tolerance, IsKeptByCalipersPointsAndSweeps) {
     EXPECT_TRUE(judged.remarks.front().good);
   }
   EXPECT_FALSE(judgeMeasurement(expected, 12.09, {}, 0.2).passed());
-  ExpectedPoint point;
+  ReferencePoint point;
   point.at_mm = {0.3, 0.0, 0.0};
   point.tolerance_mm = 0.1;
   EXPECT_TRUE(judgePointing(point, {0.4, 0.0, 0.0}).passed());
@@ -103,8 +103,8 @@ TEST(JudgePlane, FailsAProbeThatWasNotSeen) {
   EXPECT_EQ(judgePlane(target(), {}, pose).score, 0.0);
 }
 
-ExpectedMeasurement diameter() {
-  ExpectedMeasurement expected;
+ReferenceMeasurement diameter() {
+  ReferenceMeasurement expected;
   expected.value = 30.0;
   expected.unit = "mm";
   expected.tolerance = 2.0;
@@ -148,7 +148,7 @@ TEST(JudgePointing, IsWithinTheOrganOrItsMargin) {
   EXPECT_FALSE(judgePointing(organ, {5.7, 5.0, 5.0}, 0.0).passed());
   EXPECT_TRUE(judgePointing(organ, {6.4, 5.0, 5.0}, 1.0).passed());
   EXPECT_FALSE(judgePointing(organ, {6.6, 5.0, 5.0}, 1.0).passed());
-  ExpectedPoint point;
+  ReferencePoint point;
   point.tolerance_mm = 4.0;
   EXPECT_TRUE(judgePointing(point, {3.9, 0.0, 0.0}).passed());
   EXPECT_FALSE(judgePointing(point, {4.1, 0.0, 0.0}).passed());

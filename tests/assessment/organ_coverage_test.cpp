@@ -152,7 +152,7 @@ TEST(OrganCoverage, IsTheSameAsAskingEveryVoxel) {
   EXPECT_EQ(coverage.passed(), static_cast<std::size_t>(std::count(passed.begin(), passed.end(), true)));
 }
 
-TEST(OrganSection, IsTheAreaInThePictureAndAPointInside) {
+TEST(OrganSection, IsTheAreaInTheImageAndAPointInside) {
   const Volume labels = ball(15.0);
   const OrganSection section = sectionOf(labels, kLabel, straightFan(), at(0.0), 0.5);
   EXPECT_NEAR(section.area_mm2, 3.14159 * 15.0 * 15.0, 15.0);

@@ -28,7 +28,7 @@ TEST(PlaneError, IsNothingAtTheTarget) {
   const PlaneTarget target{somePose(), {3.0, 50.0}};
   const PlaneError error = planeError(target, target.probeToWorld);
   EXPECT_FALSE(error.isMirrored);
-  for (const double figure : {error.angle_deg, error.roll_deg, error.distance_mm, error.inPicture_mm, error.face_mm, error.rotate_deg,
+  for (const double figure : {error.angle_deg, error.roll_deg, error.distance_mm, error.inImage_mm, error.face_mm, error.rotate_deg,
                               error.tilt_deg, error.rock_deg})
     EXPECT_NEAR(figure, 0.0, 1e-9);
   EXPECT_NEAR(shareOfTolerance(error, {}), 0.0, 1e-9);
@@ -39,17 +39,17 @@ TEST(PlaneError, OfASlideAcrossThePlaneIsItsLength) {
   const PlaneError error = planeError(target, then(target.probeToWorld, by({0.0, 0.0, 4.0})));
   EXPECT_NEAR(error.distance_mm, 4.0, 1e-9);
   EXPECT_NEAR(error.face_mm, 4.0, 1e-9);
-  EXPECT_NEAR(error.inPicture_mm, 0.0, 1e-9);
+  EXPECT_NEAR(error.inImage_mm, 0.0, 1e-9);
   EXPECT_NEAR(error.angle_deg, 0.0, 1e-6);
   const glm::dvec3 z(target.probeToWorld.matrix[2]);
   EXPECT_NEAR(glm::distance(error.faceOffset_mm, -4.0 * z), 0.0, 1e-9) << "to the target";
 }
 
-TEST(PlaneError, OfASlideWithinThePlaneIsInThePictureAlone) {
+TEST(PlaneError, OfASlideWithinThePlaneIsInTheImageAlone) {
   const PlaneTarget target{somePose(), {3.0, 50.0}};
   const PlaneError error = planeError(target, then(target.probeToWorld, by({7.0, -2.0, 0.0})));
   EXPECT_NEAR(error.distance_mm, 0.0, 1e-9);
-  EXPECT_NEAR(error.inPicture_mm, std::hypot(7.0, 2.0), 1e-9);
+  EXPECT_NEAR(error.inImage_mm, std::hypot(7.0, 2.0), 1e-9);
   EXPECT_NEAR(shareOfTolerance(error, {5.0, 10.0}), std::hypot(7.0, 2.0) / 15.0, 1e-9);
 }
 
@@ -70,7 +70,7 @@ TEST(PlaneError, OfARockIsARollWithinThePlane) {
   EXPECT_NEAR(error.angle_deg, 0.0, 1e-6);
   EXPECT_NEAR(error.roll_deg, -8.0, 1e-9);
   EXPECT_NEAR(error.rock_deg, -8.0, 1e-9);
-  EXPECT_NEAR(error.inPicture_mm, 2.0 * 50.0 * std::sin(glm::radians(4.0)), 1e-9) << "the chord";
+  EXPECT_NEAR(error.inImage_mm, 2.0 * 50.0 * std::sin(glm::radians(4.0)), 1e-9) << "the chord";
 }
 
 TEST(PlaneError, OfARotationAboutTheBeamLeavesPointsOnTheBeam) {
@@ -88,7 +88,7 @@ TEST(PlaneError, TellsTheMarkerTheWrongWayRoundFromBeingWrong) {
   EXPECT_TRUE(error.isMirrored);
   EXPECT_NEAR(error.angle_deg, 0.0, 1e-6);
   EXPECT_NEAR(error.distance_mm, 0.0, 1e-9);
-  EXPECT_NEAR(error.inPicture_mm, 0.0, 1e-9) << "mirrored in the picture as the picture is";
+  EXPECT_NEAR(error.inImage_mm, 0.0, 1e-9) << "mirrored in the image as the image is";
   EXPECT_TRUE(isFound(error, {}));
   EXPECT_FALSE(planeError(target, then(target.probeToWorld, about(kY, 89.0))).isMirrored);
   EXPECT_TRUE(planeError(target, then(target.probeToWorld, about(kY, 91.0))).isMirrored);
@@ -117,7 +117,7 @@ TEST(PlaneError, DoesNotDependOnWhereTheWorldIs) {
   EXPECT_NEAR(here.angle_deg, there.angle_deg, 1e-9);
   EXPECT_NEAR(here.roll_deg, there.roll_deg, 1e-9);
   EXPECT_NEAR(here.distance_mm, there.distance_mm, 1e-9);
-  EXPECT_NEAR(here.inPicture_mm, there.inPicture_mm, 1e-9);
+  EXPECT_NEAR(here.inImage_mm, there.inImage_mm, 1e-9);
 }
 
 TEST(PlaneError, IsFoundUpToEachToleranceAndNoFurther) {
@@ -133,12 +133,12 @@ TEST(PlaneError, IsFoundUpToEachToleranceAndNoFurther) {
 }
 
 TEST(PlaneTarget, TakesThePointThatIsMeasuredInThePlane) {
-  ExpectedPlane plane;
+  ReferencePlane plane;
   plane.name = "transthalamic";
   plane.probeToWorld = somePose();
   CaseTruth truth;
   EXPECT_EQ(targetOf(plane, truth, 90.0).interest_mm, glm::dvec2(0.0, 45.0));
-  ExpectedMeasurement measured;
+  ReferenceMeasurement measured;
   measured.plane = plane.name;
   measured.points_mm = {carried(plane.probeToWorld, glm::dvec3(-20.0, 30.0, 0.0)),
                         carried(plane.probeToWorld, glm::dvec3(30.0, 50.0, 0.0))};

@@ -36,10 +36,10 @@ Rating keptRating(const RatingForm& form, const std::string& rater, const std::v
 }
 
 /// An attempt a row, a rater a column; 0: this rater has not rated it.
-std::vector<RatedAttempt> attemptsOf(const RatingForm& form, const std::vector<std::vector<int>>& table) {
-  std::vector<RatedAttempt> attempts;
+std::vector<AttemptRatings> attemptsOf(const RatingForm& form, const std::vector<std::vector<int>>& table) {
+  std::vector<AttemptRatings> attempts;
   for (const auto& row : table) {
-    RatedAttempt& attempt = attempts.emplace_back();
+    AttemptRatings& attempt = attempts.emplace_back();
     attempt.attemptId = "attempt-" + std::to_string(attempts.size());
     for (std::size_t n = 0; n < row.size(); ++n)
       if (row[n] != 0) attempt.ratings.push_back(keptRating(form, std::string(1, static_cast<char>('A' + n)), {row[n]}));
@@ -153,12 +153,12 @@ TEST(RatingStatistics, DoNotCountDraftsOtherFormsNorWhatSomebodyChangedAfterward
   EXPECT_EQ(*usual.totalsOf[0].mean, 2.5);
   EXPECT_EQ(*usual.totalsOf[1].mean, 3.0);
 
-  const RatingStatistics blinded = ratingStatistics(form, attempts, {.counted = CountedRatings::blinded, .bootstrap = kFewDraws});
+  const RatingStatistics blinded = ratingStatistics(form, attempts, {.counted = RatingFilter::blinded, .bootstrap = kFewDraws});
   EXPECT_EQ(blinded.notBlinded, 2u);
   EXPECT_EQ(blinded.superseded, 0u);
   EXPECT_EQ(*blinded.totalsOf[1].mean, 2.5);
 
-  const RatingStatistics all = ratingStatistics(form, attempts, {.counted = CountedRatings::all, .bootstrap = kFewDraws});
+  const RatingStatistics all = ratingStatistics(form, attempts, {.counted = RatingFilter::all, .bootstrap = kFewDraws});
   EXPECT_EQ(all.notBlinded, 0u);
   EXPECT_EQ(all.superseded, 2u);
   EXPECT_EQ(*all.totalsOf[0].mean, 6.5);
@@ -173,7 +173,7 @@ TEST(RatingStatistics, SuggestAPassLevelFromGroupsOfKnownStanding) {
   EXPECT_EQ(found.passing, 3u);
   ASSERT_TRUE(found.passLevel);
   EXPECT_NEAR(found.passLevel->value, 3.5, 1e-9) << "1 2 3 and 4 5 6, the last a mean of two raters: in the middle";
-  for (RatedAttempt& attempt : attempts) attempt.standing = Standing::unknown;
+  for (AttemptRatings& attempt : attempts) attempt.standing = Standing::unknown;
   found = ratingStatistics(form, attempts, {.bootstrap = kFewDraws});
   EXPECT_FALSE(found.passLevel);
 }
@@ -199,7 +199,7 @@ TEST(RatingStatistics, OfNothingAreEmptyAndOfOneRaterHaveNoAgreement) {
 
 TEST(RatingStatistics, WeighItemsInTotalsAndKeepThemApartElsewhere) {
   const RatingForm form = smallForm();  // weights 1, 2, 1
-  std::vector<RatedAttempt> attempts(2);
+  std::vector<AttemptRatings> attempts(2);
   attempts[0].ratings = {keptRating(form, "A", {4, 2, 0}), keptRating(form, "B", {4, 3, 5})};
   attempts[1].ratings = {keptRating(form, "A", {1, 1, 5}), keptRating(form, "B", {2, 2, 2})};
   const RatingStatistics found = ratingStatistics(form, attempts, {.bootstrap = kFewDraws});

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "ew/assessment/kept_repetition.h"
+#include "ew/assessment/repetition_record.h"
 
 namespace ew {
 namespace {

@@ -169,7 +169,7 @@ RC_GTEST_PROP(AxesAsSeen, AreEachAxisOnceAndPointTheWayTheyAreSeen, ()) {
   const HandlesToWorld pose = anyPose();
   const glm::dmat4 camera = anyPose().matrix;
   const std::array<glm::dvec3, 3> views{glm::dvec3(camera[0]), glm::dvec3(camera[1]), glm::dvec3(camera[2])};
-  const SeenAxes seen = axesAsSeen(pose, views[0], views[1], views[2]);
+  const ViewAxes seen = axesAsSeen(pose, views[0], views[1], views[2]);
   const std::array<AxisSense, 3> senses{seen.right, seen.up, seen.away};
   std::set<int> axes;
   double sum = 0.0, naive = 0.0;
@@ -185,7 +185,7 @@ RC_GTEST_PROP(AxesAsSeen, AreEachAxisOnceAndPointTheWayTheyAreSeen, ()) {
 }
 
 TEST(AxesAsSeen, OfAnUnturnedFrameFromTheFront) {
-  const SeenAxes seen = axesAsSeen({}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0});
+  const ViewAxes seen = axesAsSeen({}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0});
   EXPECT_EQ(seen.right, (AxisSense{0, 1.0}));
   EXPECT_EQ(seen.up, (AxisSense{2, 1.0}));
   EXPECT_EQ(seen.away, (AxisSense{1, 1.0}));

@@ -128,8 +128,8 @@ struct PaperCamera::State {
   vtkNew<vtkRegularPolygonSource> coverShape;
   int drawnWidth = 0, drawnHeight = 0;
   int windowWidth = 0, windowHeight = 0;
-  vtkNew<vtkMatrix4x4> whole;  ///< projection onto the whole drawn picture
-  cv::Mat mapX, mapY;          ///< of the drawn picture, for every pixel of the camera
+  vtkNew<vtkMatrix4x4> whole;  ///< projection onto the whole drawn image
+  cv::Mat mapX, mapY;          ///< of the drawn image, for every pixel of the camera
   std::vector<float> noise;
   vtkNew<vtkUnsignedCharArray> read;
 
@@ -142,8 +142,8 @@ struct PaperCamera::State {
   };
   [[nodiscard]] Parts parts(const std::vector<std::vector<glm::dmat4>>& poses) const;
   [[nodiscard]] cv::Mat drawn(const std::vector<glm::dmat4>& poses, const cv::Rect& part);
-  [[nodiscard]] cv::Mat throughLens(const cv::Mat& picture, const Parts& parts) const;
-  void encode(const cv::Mat& seen, const cv::Rect& part, const PaperShot& shot, GreyImage& picture) const;
+  [[nodiscard]] cv::Mat throughLens(const cv::Mat& image, const Parts& parts) const;
+  void encode(const cv::Mat& seen, const cv::Rect& part, const PaperShot& shot, GreyImage& image) const;
 };
 
 void PaperCamera::State::addMarker(const MarkerBody& body, const Marker& marker, double margin_mm,
@@ -217,7 +217,7 @@ void PaperCamera::State::addBackground() {
   renderer->AddActor(actor);
 }
 
-/// Where each pixel of the camera lies in the drawn picture, which is wide enough for the lens.
+/// Where each pixel of the camera lies in the drawn image, which is wide enough for the lens.
 void PaperCamera::State::prepareLens() {
   glm::dvec2 reach(0.0);
   mapX.create(model.height, model.width, CV_32F);
@@ -291,7 +291,7 @@ cv::Mat PaperCamera::State::drawn(const std::vector<glm::dmat4>& poses, const cv
     for (auto& actor : actors[b]) setMatrix(actor, poses[b]);
   int left = part.x, bottom = part.y;
   if (windowWidth < drawnWidth || windowHeight < drawnHeight) {
-    // The part fills the window: x and y of the whole picture's clip space, from -1 to 1, are stretched and moved.
+    // The part fills the window: x and y of the whole image's clip space, from -1 to 1, are stretched and moved.
     vtkNew<vtkMatrix4x4> onto, projection;
     const double byX = static_cast<double>(drawnWidth) / windowWidth, byY = static_cast<double>(drawnHeight) / windowHeight;
     onto->SetElement(0, 0, byX);
@@ -312,13 +312,13 @@ cv::Mat PaperCamera::State::drawn(const std::vector<glm::dmat4>& poses, const cv
   return red;
 }
 
-cv::Mat PaperCamera::State::throughLens(const cv::Mat& picture, const Parts& parts) const {
+cv::Mat PaperCamera::State::throughLens(const cv::Mat& image, const Parts& parts) const {
   cv::Mat blurred, seen;
   const double blur = options.lensBlur_px * options.superSampling;
   if (blur > 0.0)
-    cv::GaussianBlur(picture, blurred, cv::Size(0, 0), blur);
+    cv::GaussianBlur(image, blurred, cv::Size(0, 0), blur);
   else
-    blurred = picture;
+    blurred = image;
   if (options.superSampling == 2) cv::blur(blurred, blurred, cv::Size(3, 3));  // about a pixel's own area
   const cv::Mat places = mapX(parts.seen) - cv::Scalar(parts.drawn.x, parts.drawn.y);
   cv::remap(blurred, seen, places, mapY(parts.seen), cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar::all(51));
@@ -356,7 +356,7 @@ PaperCamera::PaperCamera(const CameraModel& model, const std::vector<MarkerBody>
 
 PaperCamera::~PaperCamera() = default;
 
-GreyImage PaperCamera::picture(const PaperShot& shot) {
+GreyImage PaperCamera::image(const PaperShot& shot) {
   State& s = *state_;
   s.cover->SetVisibility(shot.cover ? 1 : 0);
   if (shot.cover) {
@@ -365,8 +365,8 @@ GreyImage PaperCamera::picture(const PaperShot& shot) {
   }
   const int count = static_cast<int>(shot.poses.size());
   const State::Parts parts = s.parts(shot.poses);
-  GreyImage picture(s.model.width, s.model.height, 60);
-  if (parts.seen.empty() || parts.drawn.empty()) return picture;
+  GreyImage image(s.model.width, s.model.height, 60);
+  if (parts.seen.empty() || parts.drawn.empty()) return image;
   cv::Mat seen;
   if (count == 1) {
     s.throughLens(s.drawn(shot.poses[0], parts.drawn), parts).convertTo(seen, CV_32F);
@@ -390,11 +390,11 @@ GreyImage PaperCamera::picture(const PaperShot& shot) {
       }
     }
   }
-  s.encode(seen, parts.seen, shot, picture);
-  return picture;
+  s.encode(seen, parts.seen, shot, image);
+  return image;
 }
 
-void PaperCamera::State::encode(const cv::Mat& seen, const cv::Rect& part, const PaperShot& shot, GreyImage& picture) const {
+void PaperCamera::State::encode(const cv::Mat& seen, const cv::Rect& part, const PaperShot& shot, GreyImage& image) const {
   std::array<float, 1024> encoded{};  // light to grey
   for (std::size_t n = 0; n < encoded.size(); ++n)
     encoded[n] = 255.0F * static_cast<float>(std::pow(std::min(1.0, static_cast<double>(n) / 1020.0), 1.0 / options.gamma));
@@ -405,7 +405,7 @@ void PaperCamera::State::encode(const cv::Mat& seen, const cv::Rect& part, const
   for (int y = 0; y < part.height; ++y) {
     const float* const from = seen.ptr<float>(y);
     const float* const grain = noise.data() + random() % ((1u << 20) + 4096u - static_cast<unsigned>(model.width));
-    std::uint8_t* const to = viewOf(picture).row(part.y + y) + part.x;
+    std::uint8_t* const to = viewOf(image).row(part.y + y) + part.x;
     const double v = static_cast<double>(part.y + y) / model.height - 0.5, u = static_cast<double>(part.x) / model.width - 0.5;
     const auto light0 = static_cast<float>(shot.exposure * (1.0 - shot.unevenLight * (0.5 + towards.y * v + towards.x * u)));
     for (int x = 0; x < part.width; ++x) {

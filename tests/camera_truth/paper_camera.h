@@ -18,7 +18,7 @@ namespace ew::camera_truth {
 [[nodiscard]] MarkerBody boardBody(int columns = 3, int rows = 4, double pitch_mm = 54.0, double marker_mm = 44.0, int firstId = 30);
 
 struct PaperCameraOptions {
-  int superSampling = 2;        ///< pixels of the rendered picture per pixel of the camera, 1 or 2
+  int superSampling = 2;        ///< pixels of the rendered image per pixel of the camera, 1 or 2
   double lensBlur_px = 0.6;     ///< standard deviation of a point, camera pixels
   double gamma = 1.0;           ///< the camera encodes light to this inverse power; 2.2: as webcams do
   double noise_grey = 2.0;      ///< standard deviation
@@ -46,13 +46,13 @@ struct PaperShot {
   std::uint64_t seed = 1;      ///< of the noise
 };
 
-/// Pictures of paper bodies by a camera that is known exactly: textured squares drawn by VTK through a pinhole, blurred and bent by the
+/// Images of paper bodies by a camera that is known exactly: textured squares drawn by VTK through a pinhole, blurred and bent by the
 /// lens, lit unevenly, encoded and noisy.
 class PaperCamera {
  public:
   PaperCamera(const CameraModel& model, const std::vector<MarkerBody>& bodies, const PaperCameraOptions& options);
   ~PaperCamera();
-  [[nodiscard]] GreyImage picture(const PaperShot& shot);
+  [[nodiscard]] GreyImage image(const PaperShot& shot);
 
  private:
   struct State;

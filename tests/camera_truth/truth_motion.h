@@ -22,7 +22,7 @@ struct MotionOptions {
   bool straightOn = false;  ///< one face almost straight on, as flips need it
 };
 
-/// Where a probe and a board are in front of a camera: begun at random, moved smoothly. Both lie wholly in the picture at the start.
+/// Where a probe and a board are in front of a camera: begun at random, moved smoothly. Both lie wholly in the image at the start.
 class TruthMotion {
  public:
   TruthMotion(const CameraModel& model, const std::vector<MarkerBody>& bodies, const MotionOptions& options, std::uint64_t seed);

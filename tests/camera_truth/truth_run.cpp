@@ -130,12 +130,12 @@ bool writeViews(const std::filesystem::path& folder, int frames, std::uint64_t s
     shot.unevenLight = 0.3;
     shot.lightAngle_rad = sequence;
     shot.seed = static_cast<std::uint64_t>(n);
-    const GreyImage picture = camera.picture(shot);
+    const GreyImage image = camera.image(shot);
     char name[32];
     std::snprintf(name, sizeof name, "%05d.pgm", n);
     std::ofstream out(folder / name, std::ios::binary);
-    out << "P5\n" << picture.width << " " << picture.height << "\n255\n";
-    out.write(reinterpret_cast<const char*>(picture.pixels.data()), static_cast<std::streamsize>(picture.pixels.size()));
+    out << "P5\n" << image.width << " " << image.height << "\n255\n";
+    out.write(reinterpret_cast<const char*>(image.pixels.data()), static_cast<std::streamsize>(image.pixels.size()));
     json rows = json::array();
     for (const glm::dmat4& pose : truth.at(time_s))
       for (const double each : rowsOf(pose)) rows.push_back(each);

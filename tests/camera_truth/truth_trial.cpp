@@ -78,16 +78,16 @@ void Trial::frame(CameraTracker& tracker, PaperCamera& camera, const TruthMotion
   shot.lightAngle_rad = static_cast<double>(seed % 628) * 0.01;
   shot.seed = seed;
   if (isCovered) shot.cover = thumbOn(bodies[0], truth[0], seed / 64);
-  const GreyImage picture = camera.picture(shot);
+  const GreyImage image = camera.image(shot);
   const double begin_s = processorTime_s();
-  const CameraSight sight = tracker.track(viewOf(picture), time_s);
+  const CameraSight sight = tracker.track(viewOf(image), time_s);
   result.track_ms.push_back(1e3 * (processorTime_s() - begin_s));
   ++result.frames;
   compareCorners(sight, bodies, model, truth, result);
   take(sight, truth);
   if (options.plainEvery > 0 && result.frames % options.plainEvery == 0) {
     ++result.plainFrames;
-    if (const auto plain = plainBoardPoses(model, {bodies[0]}, viewOf(picture)).front())
+    if (const auto plain = plainBoardPoses(model, {bodies[0]}, viewOf(image)).front())
       add(result.plain, errorOf(plain->matrix, truth[0], glm::dvec3(bodies[0].probeToTool.matrix[3])));
   }
 }

@@ -36,7 +36,7 @@ struct TrialResult {
   int live = 0, outOfRange = 0, outOfView = 0, invalid = 0, ambiguous = 0;  ///< of the probe
   TrialErrors toCamera, toBoard, plain;                                     ///< at the transducer's face, of live poses
   TrialErrors boardToCamera;
-  std::vector<double> track_ms;                 ///< processor time of each picture
+  std::vector<double> track_ms;                 ///< processor time of each image
   std::vector<double> corners_px, outwards_px;  ///< corners of markers against the truth: distance, and that outwards
   int plainFrames = 0;
 };

@@ -75,7 +75,7 @@ TEST(Edits, AProbeSeesTheVolumeWhereItsFanReachesIt) {
   scan.halfWidth_rad = 0.5;
   EXPECT_TRUE(seesVolume(scan, here)) << "a fan opens towards it";
   scan.depth_mm = 40.0;
-  EXPECT_FALSE(seesVolume(scan, here)) << "the picture ends before it";
+  EXPECT_FALSE(seesVolume(scan, here)) << "the image ends before it";
   scan.depth_mm = 100.0;
   Transform<frame::World, frame::Probe> behind;
   behind.matrix[3] = glm::dvec4(0.0, 120.0, 0.0, 1.0);

@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "logic/keeping_aside.h"
-#include "logic/kept_painting.h"
+#include "logic/painting_autosave.h"
 
 namespace ew::case_authoring {
 namespace {
@@ -133,22 +133,22 @@ TEST_F(KeptPaintingTest, IsOfferedAfterACrashAndNotBefore) {
   ball(*painting);
   const pid_t child = ::fork();
   if (child == 0) {
-    KeptPainting kept(root_);
+    PaintingAutosave kept(root_);
     const bool isKept = kept.keep(painting->labels(), "/cases/knee", "volumes/before.mha", noProgress()).has_value();
     ::_exit(isKept ? 7 : 1);  // without any destructor, as a crash ends
   }
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   ASSERT_EQ(WEXITSTATUS(status), 7);
-  const KeptPainting next(root_);
+  const PaintingAutosave next(root_);
   EXPECT_FALSE(next.leftFor("/cases/other"));
   const auto left = next.leftFor("/cases/knee");
   ASSERT_TRUE(left);
   EXPECT_EQ(left->before, "volumes/before.mha");
-  const auto labels = KeptPainting::read(*left, noProgress());
+  const auto labels = PaintingAutosave::read(*left, noProgress());
   ASSERT_TRUE(labels);
   EXPECT_EQ(labels->echo, painting->labels().echo);
-  KeptPainting::remove(*left);
+  PaintingAutosave::remove(*left);
   EXPECT_FALSE(next.leftFor("/cases/knee"));
   EXPECT_TRUE(fs::is_empty(root_));
 }
@@ -165,7 +165,7 @@ TEST_F(KeptPaintingTest, IsTheOldOneOrTheNewOneWheneverTheProgramIsKilled) {
   for (int kill = 0; kill < 50; ++kill) {
     const pid_t child = ::fork();
     if (child == 0) {
-      KeptPainting kept(root_);
+      PaintingAutosave kept(root_);
       for (int n = 0;; ++n) {
         labels.echo = states[static_cast<std::size_t>(n) % states.size()];
         if (!kept.keep(labels, "/cases/knee", "", noProgress())) ::_exit(1);
@@ -174,10 +174,10 @@ TEST_F(KeptPaintingTest, IsTheOldOneOrTheNewOneWheneverTheProgramIsKilled) {
     ::usleep(static_cast<useconds_t>(3000 + 1700 * kill));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
-    const KeptPainting next(root_);
+    const PaintingAutosave next(root_);
     const auto left = next.leftFor("/cases/knee");
     if (!left) continue;  // killed before anything was complete
-    const auto read = KeptPainting::read(*left, noProgress());
+    const auto read = PaintingAutosave::read(*left, noProgress());
     ASSERT_TRUE(read) << kill;
     EXPECT_NE(std::find(states.begin(), states.end(), read->echo), states.end()) << kill;
     fs::remove_all(left->kept);
@@ -188,9 +188,9 @@ TEST_F(KeptPaintingTest, IsNotOfferedWhileItsProgramRunsAndIsGoneWhenThatEnds) {
   const auto painting = begun({});
   ball(*painting);
   {
-    KeptPainting kept(root_);
+    PaintingAutosave kept(root_);
     ASSERT_TRUE(kept.keep(painting->labels(), "/cases/knee", "", noProgress()));
-    EXPECT_FALSE(KeptPainting(root_).leftFor("/cases/knee"));
+    EXPECT_FALSE(PaintingAutosave(root_).leftFor("/cases/knee"));
   }
   EXPECT_TRUE(fs::is_empty(root_));
 }
@@ -218,12 +218,12 @@ TEST_F(KeptPaintingTest, LeavesTheLatestOfItsOwnCaseAloneHoweverSlowTheJobBefore
     last.done(last.work(noProgress()));
   }
   aside.reset();
-  const KeptPainting next(root_);
+  const PaintingAutosave next(root_);
   EXPECT_EQ(std::distance(fs::directory_iterator(root_), fs::directory_iterator()), 1);
   const auto left = next.leftFor("/cases/knee");
   ASSERT_TRUE(left);
   EXPECT_EQ(left->before, "volumes/knee.mha");
-  const auto read = KeptPainting::read(*left, noProgress());
+  const auto read = PaintingAutosave::read(*left, noProgress());
   ASSERT_TRUE(read);
   EXPECT_EQ(read->echo, painting->labels().echo);
 }
@@ -243,9 +243,9 @@ TEST_F(KeptPaintingTest, ForgetsWhatIsStillBeingKeptAside) {
 TEST_F(KeptPaintingTest, NeverReadsWhatADamagedFileNamesElsewhere) {
   fs::create_directories(root_ / "x");
   std::ofstream(root_ / "x" / "painting.json") << R"({"case_folder": "/cases/knee", "labels": "../../../etc/passwd"})";
-  EXPECT_FALSE(KeptPainting(root_).leftFor("/cases/knee"));
+  EXPECT_FALSE(PaintingAutosave(root_).leftFor("/cases/knee"));
   std::ofstream(root_ / "x" / "painting.json") << "{";
-  EXPECT_FALSE(KeptPainting(root_).leftFor("/cases/knee"));
+  EXPECT_FALSE(PaintingAutosave(root_).leftFor("/cases/knee"));
 }
 
 }  // namespace

@@ -236,7 +236,7 @@ TEST_F(AccessCommand, OpensAnExaminationWithTheKeyAndScoresWhatWasHandedIn) {
     attempt.lessonId = "lesson-1";
     attempt.startedAt = std::chrono::sys_seconds(std::chrono::seconds(1'800'000'000));
     attempt = withSealedAnswers(attempt, loadCase(imported->folder)->sealed->sha256);
-    auto kept = KeptAttempt::begin(folder_.path() / "handed", attempt);
+    auto kept = AttemptFolder::begin(folder_.path() / "handed", attempt);
     ASSERT_TRUE(kept) << kept.error();
     StepOutcome outcome;
     outcome.stepId = "step-1";

@@ -47,7 +47,7 @@ TEST(JoinNumberLists, NeverLosesOrReordersAWord) {
   });
 }
 
-TEST(Numbered, NamesOnePictureAsGivenAndSeveralByNumber) {
+TEST(Numbered, NamesOneImageAsGivenAndSeveralByNumber) {
   EXPECT_EQ(cli::numbered("a/out.png", 0, 1), "a/out.png");
   EXPECT_EQ(cli::numbered("a/out.png", 0, 2), "a/out_0000.png");
   EXPECT_EQ(cli::numbered("a/out.png", 12345, 20000), "a/out_12345.png");
@@ -126,7 +126,7 @@ TEST(Locale, ACommaAsDecimalSignChangesNothing) {
   EXPECT_NE(outcome.out.find("0.5 mm"), std::string::npos) << outcome.out;
   const auto report = test::readJson(folder / "r.json");
   EXPECT_EQ(report.value("/options/pixel_mm"_json_pointer, 0.0), 0.5);
-  EXPECT_NE(test::readText(folder / "o.mha").find("0.5"), std::string::npos) << "the picture's spacing";
+  EXPECT_NE(test::readText(folder / "o.mha").find("0.5"), std::string::npos) << "the image's spacing";
   EXPECT_EQ(test::run({"slice", folder / "v.mha", "--pose", test::kIdentityPose, "--pixel", "0,5", "-o", folder / "p.png"}).status, 2);
 }
 

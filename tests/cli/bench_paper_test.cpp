@@ -33,9 +33,9 @@ TEST(BenchPaper, ShowsThatOneResolutionFailsWhereThePyramidSucceeds) {
   for (const char* name : {"figure-6-first.png", "figure-7-warped.png", "figure-8-fixed.png", "figure-8-5.png", "paper.html", "paper.json"})
     EXPECT_TRUE(fs::exists(folder / name)) << name;
   EXPECT_EQ(paperSections(*report).size(), 2U);
-  const auto picture = readImage(folder / "figure-8-moving.png");
-  ASSERT_TRUE(picture);
-  EXPECT_EQ(picture->width, 250);
+  const auto image = readImage(folder / "figure-8-moving.png");
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->width, 250);
   fs::remove_all(folder);
 }
 

@@ -117,7 +117,7 @@ TEST(CaseNew, NamesNoOptionsOfOtherCommands) {
     return refused.err;
   };
   for (SequenceFrame& frame : images.frames)
-    for (NamedTransform& one : frame.transforms) one.to = "Stylus";
+    for (FrameTransform& one : frame.transforms) one.to = "Stylus";
   EXPECT_NE(refusalOf().find(": --calibration XML, or make its volume first (echoweave reconstruct), then the case of that."),
             std::string::npos);
   for (SequenceFrame& frame : images.frames) frame.transforms.clear();

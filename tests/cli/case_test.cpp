@@ -151,7 +151,7 @@ TEST(CaseCommand, PrepareMakesAVolumeOnceAndThenHasNothingToDo) {
   EXPECT_EQ(second.err, "");
 }
 
-/// Pixels of a case as `scan` begins with it and as its card has it, which stands above the words that every picture carries.
+/// Pixels of a case as `scan` begins with it and as its card has it, which stands above the words that every image carries.
 TEST(CaseCommand, TheCardIsWhatTheCaseBeginsWithAboveTheWords) {
   const TemporaryFolder folder;
   const EnvironmentValue cache("ECHOWEAVE_CACHE", folder / "cache");

@@ -83,7 +83,7 @@ Sequence parallelSweep(int width, int height, int frames) {
   for (int n = 0; n < frames; ++n) {
     SequenceFrame frame;
     frame.time_s = 0.1 * n;
-    NamedTransform imageToReference{"Image", "Reference", glm::dmat4(1.0), PoseStatus::ok};
+    FrameTransform imageToReference{"Image", "Reference", glm::dmat4(1.0), PoseStatus::ok};
     imageToReference.matrix[3] = glm::dvec4(0.0, 0.0, n, 1.0);
     frame.transforms.push_back(imageToReference);
     sweep.frames.push_back(frame);

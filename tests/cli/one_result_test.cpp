@@ -32,7 +32,7 @@ class OneResult : public ::testing::Test {
     lesson.id = "about-balls";
     lesson.title = "About balls";
     const AnswerTask question{{{"a", true, ""}, {"b", false, ""}}, {}, 0.0, ""};
-    for (const auto& [id, task] : {std::pair<const char*, LessonTask>{"read", ReadTask{}},
+    for (const auto& [id, task] : {std::pair<const char*, LessonTask>{"read", ReadingTask{}},
                                    {"first", question},
                                    {"measure", MeasureTask{"ball, across", {}}},
                                    {"second", question}}) {
@@ -72,7 +72,7 @@ class OneResult : public ::testing::Test {
     made.lessonContent = contentOf(world_.lesson());
     made.person = "Anna";
     made.startedAt = kBegun;
-    auto kept = KeptAttempt::begin(attemptsFolder(world_.library()), made);
+    auto kept = AttemptFolder::begin(attemptsFolder(world_.library()), made);
     EXPECT_TRUE(kept) << kept.error();
     const auto end = [&](const char* step, double score, StepAnswer answer, int at_s) {
       StepOutcome outcome;
@@ -165,11 +165,11 @@ class OneResult : public ::testing::Test {
   /// The lessons panel and the start page ask for the first, Review for the second.
   void expectOfWindow(const fs::path& folder, const Expected& expected) {
     const auto standing =
-        Standings(listAttempts(folder.parent_path()), "Anna", attemptJudgeOf(world_.library())).of("ball", world_.lesson());
+        LearningProgress(listAttempts(folder.parent_path()), "Anna", attemptJudgeOf(world_.library())).of("ball", world_.lesson());
     EXPECT_EQ(standing.bestPassed, static_cast<std::size_t>(expected.stepsPassed));
     EXPECT_EQ(standing.judged, static_cast<std::size_t>(expected.stepsJudged));
     EXPECT_EQ(standing.isPassed(4), expected.passed);
-    const AttemptResult result = AttemptResults(world_.library()).of(folder, KeptAttempt::open(folder)->attempt());
+    const AttemptResult result = AttemptResults(world_.library()).of(folder, AttemptFolder::open(folder)->attempt());
     EXPECT_NEAR(*result.score(), expected.score, 1e-12);
     EXPECT_EQ(result.passed(), expected.passed);
     EXPECT_EQ(result.worked_s, 100.0);
@@ -220,7 +220,7 @@ TEST_F(OneResult, OfALessonThatIsNotInTheLibraryIsNeitherPassedNorFailed) {
   AssessmentPlan plan = planFrom(0.1);
   ASSERT_TRUE(keepPlan(world_.library(), plan)) << "it would make a pass of anything";
   fs::rename(world_.caseFolder(), outputs_ / "aside");
-  const AttemptResult unknown = AttemptResults(world_.library()).of(folder, KeptAttempt::open(folder)->attempt());
+  const AttemptResult unknown = AttemptResults(world_.library()).of(folder, AttemptFolder::open(folder)->attempt());
   EXPECT_FALSE(unknown.isKnown);
   EXPECT_FALSE(unknown.score());
   EXPECT_FALSE(unknown.passed());
@@ -234,7 +234,7 @@ TEST_F(OneResult, OfALessonThatIsNotInTheLibraryIsNeitherPassedNorFailed) {
   EXPECT_EQ(server_.stored(order[1])["verb"]["display"]["en"], "completed");
   // With the case it is judged.
   fs::rename(outputs_ / "aside", world_.caseFolder());
-  EXPECT_EQ(AttemptResults(world_.library()).of(folder, KeptAttempt::open(folder)->attempt()).passed(), true);
+  EXPECT_EQ(AttemptResults(world_.library()).of(folder, AttemptFolder::open(folder)->attempt()).passed(), true);
 }
 TEST_F(OneResult, IsThatOfThePlanAlsoWhereItsScoreCannotBeKept) {
   const fs::path folder = attempt();
@@ -263,7 +263,7 @@ TEST_F(OneResult, OfAnAttemptThatWentOnAfterItWasScoredIsOfItsEnd) {
   const fs::path folder = attempt();
   std::string words;
   said({"assess", folder.string()}, &words);
-  auto kept = KeptAttempt::open(folder);
+  auto kept = AttemptFolder::open(folder);
   StepOutcome better = *kept->attempt().outcomeOf("second");
   better.score = 1.0;
   better.verdict = StepVerdict::passed;

@@ -93,10 +93,10 @@ class Scenario {
  public:
   Scenario(const fs::path& home, Dice& dice) : home_(home), dice_(dice) {
     const std::vector<void (Scenario::*)()> commands = {
-        &Scenario::importRaw,   &Scenario::importVolume, &Scenario::importPictures, &Scenario::reconstruct,
-        &Scenario::reconstruct, &Scenario::registers,    &Scenario::registers,      &Scenario::slices,
-        &Scenario::scans,       &Scenario::phantom,      &Scenario::phantom,        &Scenario::caseCommand,
-        &Scenario::caseCommand, &Scenario::plugins,      &Scenario::stitches,       &Scenario::stitches};
+        &Scenario::importRaw,   &Scenario::importVolume, &Scenario::importImages, &Scenario::reconstruct,
+        &Scenario::reconstruct, &Scenario::registers,    &Scenario::registers,    &Scenario::slices,
+        &Scenario::scans,       &Scenario::phantom,      &Scenario::phantom,      &Scenario::caseCommand,
+        &Scenario::caseCommand, &Scenario::plugins,      &Scenario::stitches,     &Scenario::stitches};
     (this->*commands[static_cast<std::size_t>(dice_.upTo(static_cast<int>(commands.size())))])();
     if (dice_.once(40)) bench();
     if (dice_.once(2)) option("--report", outputName({".json", ".json", ".raw", ".mhd", ""}));
@@ -166,11 +166,11 @@ class Scenario {
     if (!dice_.once(3)) option("--raw", "8x8x8:u8:1");
   }
   void importVolume() { words = {"import", volumeFile(), "-o", outputName({".mhd", ".mha", ".igs.mha"})}; }
-  void importPictures() {
+  void importImages() {
     const std::string folder = inputName("");
     fs::create_directory(folder);
-    const GreyImage picture(8, 8, 9);
-    for (const char* name : {"1.png", "2.png", "3.png"}) EXPECT_TRUE(writeImage(viewOf(picture), 1.0, fs::path(folder) / name));
+    const GreyImage image(8, 8, 9);
+    for (const char* name : {"1.png", "2.png", "3.png"}) EXPECT_TRUE(writeImage(viewOf(image), 1.0, fs::path(folder) / name));
     words = {"import", folder, "--spacing", "1", "-o", outputName({".mhd", ".mha"})};
   }
   void reconstruct() {

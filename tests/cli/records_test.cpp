@@ -17,7 +17,7 @@ namespace {
 class RecordsCommand : public ::testing::Test {
  protected:
   RecordsCommand() {
-    auto kept = KeptAttempt::begin(folder_.path() / "library/attempts", someAttempt());
+    auto kept = AttemptFolder::begin(folder_.path() / "library/attempts", someAttempt());
     EXPECT_TRUE(kept) << kept.error();
   }
   Outcome records(std::vector<std::string> words) {
@@ -127,7 +127,7 @@ TEST_F(RecordsCommand, TellsAnAttemptToTheSystemThatLaunchedIt) {
   Attempt made = someAttempt();
   made.caseId = "school";
   made.id = "20261126-110000-4f2a91c9";
-  ASSERT_TRUE(KeptAttempt::begin(folder_.path() / "library/attempts", made));
+  ASSERT_TRUE(AttemptFolder::begin(folder_.path() / "library/attempts", made));
   Lesson known = someLesson();
   known.steps[2].task = AnswerTask{{{"a", true, ""}, {"b", false, ""}}, {}, 0.0, ""};
   const EnvironmentValue own("ECHOWEAVE_CASES", folder_ / "own");
@@ -231,7 +231,7 @@ TEST_F(RecordsCommand, CallsACaseAsTraineesMayReadIt) {
   const auto opened = loadCase(std::string(EW_SOURCE_DIR) + "/cases/upper-abdomen-gall-stone");
   ASSERT_TRUE(opened) << opened.error();
   ASSERT_NE(titleForTrainees(*opened), opened->title);
-  ASSERT_TRUE(KeptAttempt::begin(folder_.path() / "library/attempts", attempt));
+  ASSERT_TRUE(AttemptFolder::begin(folder_.path() / "library/attempts", attempt));
   setUp(server_.endpoint());
   const auto shown = records({"add", folder_ / ("library/attempts/" + attempt.id), "--dry-run"});
   ASSERT_EQ(shown.status, 0) << shown.err;
@@ -240,9 +240,9 @@ TEST_F(RecordsCommand, CallsACaseAsTraineesMayReadIt) {
 }
 
 /// A learning management system that launches a lesson, and a program in place of the window.
-class LaunchedLesson : public RecordsCommand {
+class LessonLaunch : public RecordsCommand {
  protected:
-  LaunchedLesson() {
+  LessonLaunch() {
     server_.authorization = "Basic dG9rZW4tMTc=";
     server_.other = [this](const ServerQuestion& question) -> std::optional<ServerAnswer> {
       if (question.target == "/fetch") {
@@ -289,7 +289,7 @@ class LaunchedLesson : public RecordsCommand {
     attempt.id = id;
     attempt.launch = launch;
     attempt.finishedAt = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()) + std::chrono::hours(1);
-    EXPECT_TRUE(KeptAttempt::begin(folder_.path() / "aside", attempt));
+    EXPECT_TRUE(AttemptFolder::begin(folder_.path() / "aside", attempt));
     return "sed -i \"s/THIS-LAUNCH/$ECHOWEAVE_LAUNCH/\" '" + (folder_ / ("aside/" + attempt.id + "/attempt.json")) + "'; mv '" +
            (folder_ / ("aside/" + attempt.id)) + "' '" + (folder_ / "library/attempts/") + "'";
   }
@@ -298,7 +298,7 @@ class LaunchedLesson : public RecordsCommand {
   int fetched_ = 0;
 };
 
-TEST_F(LaunchedLesson, IsOpenedInTheWindowAndItsResultTold) {
+TEST_F(LessonLaunch, IsOpenedInTheWindowAndItsResultTold) {
   const auto told = run({"records", "launch", address(), "--window", windowThat(0, finishesALesson()), "--rounds", "1"});
   ASSERT_EQ(told.status, 0) << told.err;
   EXPECT_EQ(verbs(), (std::vector<std::string>{"initialized", "completed", "failed", "terminated"}));
@@ -308,7 +308,7 @@ TEST_F(LaunchedLesson, IsOpenedInTheWindowAndItsResultTold) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "library/records")) << "nothing of a session stays";
 }
 
-TEST_F(LaunchedLesson, SaysWhatScoreTheSystemAsksForToTheWindow) {
+TEST_F(LessonLaunch, SaysWhatScoreTheSystemAsksForToTheWindow) {
   const std::string asks = "echo \"asks for ${ECHOWEAVE_MASTERY_SCORE-none}\" >> '" + (folder_ / "words") + "'";
   const EnvironmentValue stale("ECHOWEAVE_MASTERY_SCORE", "0.9");
   ASSERT_EQ(run({"records", "launch", address(), "--wanted", "--window", windowThat(0, asks), "--rounds", "1"}).status, 0);
@@ -318,7 +318,7 @@ TEST_F(LaunchedLesson, SaysWhatScoreTheSystemAsksForToTheWindow) {
   EXPECT_NE(readText(folder_ / "words").find("asks for 0.65\n"), std::string::npos) << readText(folder_ / "words");
 }
 
-TEST_F(LaunchedLesson, IsToldByTheSystemsLevelAndSaysWhereTheLessonsDiffers) {
+TEST_F(LessonLaunch, IsToldByTheSystemsLevelAndSaysWhereTheLessonsDiffers) {
   masteryScore_ = "0";
   const auto told = run({"records", "launch", address(), "--wanted", "--window", windowThat(0, finishesALesson()), "--rounds", "1"});
   ASSERT_EQ(told.status, 0) << told.err;
@@ -327,7 +327,7 @@ TEST_F(LaunchedLesson, IsToldByTheSystemsLevelAndSaysWhereTheLessonsDiffers) {
   EXPECT_NE(told.err.find("not passed."), std::string::npos) << told.err;
 }
 
-TEST_F(LaunchedLesson, OfTwoLearnersOnOneLibraryTellsEachTheirOwn) {
+TEST_F(LessonLaunch, OfTwoLearnersOnOneLibraryTellsEachTheirOwn) {
   // Another seat finishes the lesson meanwhile, launched or not, while this learner closes the window in the middle.
   const std::string window =
       windowThat(0, finishesALesson("", "20991231-000000-bbbbbbbb") + "; " + finishesALesson("0a5f.17-4", "20991231-000000-cccccccc"));
@@ -351,7 +351,7 @@ TEST_F(LaunchedLesson, OfTwoLearnersOnOneLibraryTellsEachTheirOwn) {
   EXPECT_EQ(own.status, 0) << own.err;
 }
 
-TEST_F(LaunchedLesson, OfWhoeverSitsDownNextInTheSameWindowIsNotTold) {
+TEST_F(LessonLaunch, OfWhoeverSitsDownNextInTheSameWindowIsNotTold) {
   // The learner stops; the next one types another name into the window and finishes the lesson.
   const std::string window = windowThat(0, finishesALesson("THIS-LAUNCH", "20991231-000000-abababab", "Ada Lovelace") + "; " +
                                                finishesALesson("THIS-LAUNCH", "20991231-000000-cdcdcdcd", "Grace Hopper", 60));
@@ -364,7 +364,7 @@ TEST_F(LaunchedLesson, OfWhoeverSitsDownNextInTheSameWindowIsNotTold) {
   EXPECT_NE(others.err.find("is by 'Grace Hopper'"), std::string::npos) << others.err;
 }
 
-TEST_F(LaunchedLesson, IsNothingToAnybodyWhenTheLearnerDoesNotWantIt) {
+TEST_F(LessonLaunch, IsNothingToAnybodyWhenTheLearnerDoesNotWantIt) {
   const auto told = run({"records", "launch", address(), "--window", windowThat(1, "exit 9")});
   EXPECT_EQ(told.status, 1);
   EXPECT_NE(told.err.find("127.0.0.1 was told nothing"), std::string::npos) << told.err;
@@ -372,14 +372,14 @@ TEST_F(LaunchedLesson, IsNothingToAnybodyWhenTheLearnerDoesNotWantIt) {
   EXPECT_TRUE(server_.order().empty());
 }
 
-TEST_F(LaunchedLesson, ThatIsNotFinishedIsOverAndNeitherPassedNorFailed) {
+TEST_F(LessonLaunch, ThatIsNotFinishedIsOverAndNeitherPassedNorFailed) {
   const auto told = run({"records", "launch", address(), "--wanted", "--window", windowThat(1, "true"), "--rounds", "1"});
   EXPECT_EQ(told.status, 0) << told.err;
   EXPECT_NE(told.err.find("was not finished"), std::string::npos) << told.err;
   EXPECT_EQ(verbs(), (std::vector<std::string>{"initialized", "terminated"}));
 }
 
-TEST_F(LaunchedLesson, HasToBeNamedByTheCourse) {
+TEST_F(LessonLaunch, HasToBeNamedByTheCourse) {
   for (const char* parameters : {"", "fetal-biometry", "no-such-case/lesson"}) {
     parameters_ = parameters;
     const auto told = run({"records", "launch", address(), "--wanted", "--window", windowThat(0, "true")});
@@ -388,7 +388,7 @@ TEST_F(LaunchedLesson, HasToBeNamedByTheCourse) {
   }
 }
 
-TEST_F(LaunchedLesson, SaysSoWhenThereIsNoWindow) {
+TEST_F(LessonLaunch, SaysSoWhenThereIsNoWindow) {
   const auto told = run({"records", "launch", address(), "--window", folder_ / "nothing"});
   EXPECT_EQ(told.status, 1);
   EXPECT_NE(told.err.find("cannot be started"), std::string::npos) << told.err;

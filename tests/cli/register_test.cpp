@@ -9,7 +9,7 @@
 #include "ew/core/frames.h"
 #include "ew/io/vector_file.h"
 #include "ew/io/volume_file.h"
-#include "ew/phantom/speckled_tissue.h"
+#include "ew/phantom/speckle_tissue.h"
 
 namespace ew::test::register_test {
 namespace {
@@ -177,13 +177,13 @@ class RegisterImages : public testing::Test {
     view.shared = 0.8;
     return view;
   }
-  void write(const SpeckledTissue& tissue, const TissueView& view, const std::string& name) const {
+  void write(const SpeckleTissue& tissue, const TissueView& view, const std::string& name) const {
     const auto image = imageOf(tissue, view, 0, noProgress());
     ASSERT_TRUE(image);
     ASSERT_TRUE(writeVolume(*image, folder / name));
   }
   void SetUp() override {
-    const SpeckledTissue tissue(4), other(40);
+    const SpeckleTissue tissue(4), other(40);
     TissueView view = viewOfSide(48, 1.25);
     write(tissue, view, "f.mha");
     view.view = 2;
@@ -237,7 +237,7 @@ TEST_F(RegisterImages, StrangersAreRefusedWithStatusThree) {
 }
 
 TEST_F(RegisterImages, ABendIsWrittenAsAFieldThatIsBetterThanNoneAndWithoutFolds) {
-  const SpeckledTissue tissue(9);
+  const SpeckleTissue tissue(9);
   TissueView view = viewOfSide(48, 0.8);
   write(tissue, view, "a.mha");
   const auto warp = [](const glm::dvec3& p) { return 2.5 * glm::dvec3(std::sin(p.y / 12.0), std::sin(p.z / 14.0), std::sin(p.x / 13.0)); };
@@ -270,8 +270,8 @@ TEST_F(RegisterImages, ABendIsWrittenAsAFieldThatIsBetterThanNoneAndWithoutFolds
   EXPECT_GT(report["levels"].size(), 1u);
 }
 
-TEST_F(RegisterImages, PicturesGiveATwoDimensionalFieldInTheCoordinatesOfBothHeaders) {
-  const SpeckledTissue tissue(12);
+TEST_F(RegisterImages, ImagesGiveATwoDimensionalFieldInTheCoordinatesOfBothHeaders) {
+  const SpeckleTissue tissue(12);
   TissueView view = viewOfSide(128, 0.4);
   view.grid.dims.z = 1;
   view.grid.origin_mm = {3.0, 4.0, 0.0};
@@ -295,15 +295,15 @@ TEST_F(RegisterImages, PicturesGiveATwoDimensionalFieldInTheCoordinatesOfBothHea
   EXPECT_LT(worst, 0.5);
   const auto refused = run({"register", folder / "f.mha", folder / "m.mha", "--method", "elastic2d", "-o", folder / "t.txt"});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("takes two pictures"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("takes two images"), std::string::npos) << refused.err;
 }
 
-TEST_F(RegisterImages, PicturesOfWhichOneHeaderIsLeftHandedAreBroughtTogetherByARotation) {
-  const SpeckledTissue tissue(12);
+TEST_F(RegisterImages, ImagesOfWhichOneHeaderIsLeftHandedAreBroughtTogetherByARotation) {
+  const SpeckleTissue tissue(12);
   TissueView view = viewOfSide(128, 0.4);
   view.grid.dims.z = 1;
   write(tissue, view, "a.mha");
-  view.grid.directions[2] = -view.grid.directions[2];  // of a picture nothing lies along it
+  view.grid.directions[2] = -view.grid.directions[2];  // of an image nothing lies along it
   view.view = 2;
   view.toTissue = [](const glm::dvec3& q) { return glm::dvec3(q.x - 1.2, q.y + 0.8, q.z); };
   write(tissue, view, "b.mha");

@@ -32,10 +32,10 @@ TEST_F(ReplayCommand, WritesTheImagesThatWereSeenWithTheWarningOnThem) {
   EXPECT_EQ(filesIn("out"), 4U);
   Replay replay(recording.log, subjectOf(ScanVoxels::asStored(waves()), "waves"));
   for (std::size_t n = 0; n < recording.log.frameCount(); ++n) {
-    const Picture picture = replay.make(n, 160, 120);
+    const DisplayImage image = replay.make(n, 160, 120);
     if (n % 13 != 0) continue;
     GreyImage expected(160, 120);
-    for (int y = 0; y < 120; ++y) std::copy_n(picture.grey.row(y), 160, viewOf(expected).row(y));
+    for (int y = 0; y < 120; ++y) std::copy_n(image.grey.row(y), 160, viewOf(expected).row(y));
     burnCaption(viewOf(expected), kNotForDiagnosis);
     const auto written = readImage(folder / ("out/image_000" + std::to_string(n / 13) + ".png"));
     ASSERT_TRUE(written) << written.error();

@@ -8,7 +8,7 @@
 namespace ew::test::scan_effects_test {
 namespace {
 
-/// Grey tissue with a bright plate 20 mm below the face, over the left half of the picture (+x of the probe).
+/// Grey tissue with a bright plate 20 mm below the face, over the left half of the image (+x of the probe).
 class ScanEffects : public testing::Test {
  protected:
   void SetUp() override {
@@ -99,7 +99,7 @@ TEST_F(ScanEffects, APartOfTheFaceOffTheSkinGoesDark) {
   ASSERT_TRUE(image);
   EXPECT_NEAR(viewOf(*image).at(100, 200), 100, 2);
   EXPECT_NEAR(viewOf(*image).at(220, 200), 100, 2);
-  // The marked side, +x of the probe, is at the left of the picture.
+  // The marked side, +x of the probe, is at the left of the image.
   ASSERT_EQ(scan(R"({"contact": true})", {"-o", folder / "o.mha", "--off-skin", "0.4:1"}).status, 0);
   image = readImage(folder / "o.mha");
   ASSERT_TRUE(image);
@@ -122,7 +122,7 @@ TEST_F(ScanEffects, OffSkinIsReadStrictlyAndSaysWhenNothingShowsIt) {
   EXPECT_NE(unseen.err.find("contact"), std::string::npos) << unseen.err;
 }
 
-TEST_F(ScanEffects, ThePictureDoesNotDependOnTheThreads) {
+TEST_F(ScanEffects, TheImageDoesNotDependOnTheThreads) {
   const std::string scene = R"({"attenuation": true, "focus": true, "noise": true, "slice_thickness": true, "reverberation": true})";
   ASSERT_EQ(scan(scene, {"-o", folder / "one.mha"}).status, 0);
   ASSERT_EQ(scan(scene, {"-o", folder / "two.mha", "--threads", "2"}).status, 0);
@@ -151,7 +151,7 @@ TEST_F(ScanEffects, MModeWritesTheStripOfOneBeamOverThePoses) {
   EXPECT_NEAR(plateRow(250), 60, 4);
 }
 
-TEST_F(ScanEffects, TheReportCountsHowLongPicturesTook) {
+TEST_F(ScanEffects, TheReportCountsHowLongImagesTook) {
   ASSERT_EQ(scan("{}", {"--repeat", "20", "--report", folder / "r.json"}).status, 0);
   const auto quality = readJson(folder / "r.json")["quality"];
   EXPECT_EQ(quality["pose_to_picture_count"], 20);

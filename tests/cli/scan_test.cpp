@@ -44,15 +44,15 @@ TEST_F(ScanCommand, ShowsTheVolumeInTheFanAndBlackOutside) {
   for (const auto value : image->pixels) ASSERT_TRUE(value == 0 || value == 100);
 }
 
-TEST_F(ScanCommand, WritesTheWarningIntoAPictureButNotIntoTheBareFrame) {
+TEST_F(ScanCommand, WritesTheWarningIntoAnImageButNotIntoTheBareFrame) {
   ASSERT_EQ(run(words(folder / "o.mha")).status, 0);
   ASSERT_EQ(run(words(folder / "o.png")).status, 0);
   auto bare = readImage(folder / "o.mha");
-  const auto picture = readImage(folder / "o.png");
-  ASSERT_TRUE(bare && picture);
-  EXPECT_NE(*bare, *picture);
+  const auto image = readImage(folder / "o.png");
+  ASSERT_TRUE(bare && image);
+  EXPECT_NE(*bare, *image);
   burnCaption(viewOf(*bare), "simulation, not for diagnosis");
-  EXPECT_EQ(*bare, *picture);
+  EXPECT_EQ(*bare, *image);
 }
 
 TEST_F(ScanCommand, GainActsAsTheKnobsFileSays) {
@@ -152,7 +152,7 @@ TEST_F(ScanCommand, NamesTheProbesThereAreWhenTheOneAskedForIsUnknown) {
   EXPECT_NE(outcome.err.find("convex"), std::string::npos) << outcome.err;
 }
 
-TEST_F(ScanCommand, RefusesAPictureTooSmallForItsWarning) {
+TEST_F(ScanCommand, RefusesAnImageTooSmallForItsWarning) {
   auto small = words(folder / "o.png");
   small[7] = "40x30";
   EXPECT_EQ(run(small).status, 2);
@@ -171,7 +171,7 @@ class ScanOfACase : public testing::Test {
     manifest["volume"]["recipe_spacing_mm"] = 2.0;
     manifest["volume"].erase("sweeps");  // as the anatomy is drawn: no shadow is in the voxels
     manifest["volume"].erase("reconstruct");
-    manifest["start_pose"] = manifest["expert_pose"];  // the stone in the picture
+    manifest["start_pose"] = manifest["expert_pose"];  // the stone in the image
     writeText(folder / "case/case.json", manifest.dump());
   }
   TemporaryFolder folder;
@@ -181,12 +181,12 @@ class ScanOfACase : public testing::Test {
 TEST_F(ScanOfACase, CastsTheStonesShadowAwayFromTheProbe) {
   writeText(folder / "plain.json", "{}");
   writeText(folder / "shadow.json", R"({"attenuation": true})");
-  std::map<std::string, GreyImage> pictures;
+  std::map<std::string, GreyImage> images;
   for (const std::string scene : {"plain", "shadow"}) {
     const auto outcome = run({"scan", folder / "case", "--scene", folder / (scene + ".json"), "--size", "400x300", "-o",
                               folder / (scene + ".mha"), "--report", folder / "r.json"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    pictures[scene] = *readImage(folder / (scene + ".mha"));
+    images[scene] = *readImage(folder / (scene + ".mha"));
   }
   const auto opened = loadCase(folder / "case");
   ASSERT_TRUE(opened) << opened.error();
@@ -201,7 +201,7 @@ TEST_F(ScanOfACase, CastsTheStonesShadowAwayFromTheProbe) {
     const glm::ivec2 p(glm::round(glm::dvec2(stone_px) + pastStone_px * away));
     double sum = 0.0;
     for (int y = -2; y <= 2; ++y)
-      for (int x = -2; x <= 2; ++x) sum += viewOf(pictures[scene]).at(p.x + x, p.y + y);
+      for (int x = -2; x <= 2; ++x) sum += viewOf(images[scene]).at(p.x + x, p.y + y);
     return sum / 25.0;
   };
   for (const double behind_px : {35.0, 50.0, 65.0}) {

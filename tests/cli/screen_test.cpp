@@ -32,12 +32,12 @@ void writeScreenFilm(const std::filesystem::path& file, bool withScan = true) {
   const GreyImage mask = maskOf(drawnFan(), 420, 300);
   std::mt19937 random(7);
   for (int n = 0; n < 10; ++n) {
-    RgbImage picture(420, 300);
-    for (std::size_t p = 0; p < picture.pixels.size(); ++p)
-      if (withScan && mask.pixels[p] != 0) picture.pixels[p] = Rgb(static_cast<std::uint8_t>(40 + random() % 180));
+    RgbImage image(420, 300);
+    for (std::size_t p = 0; p < image.pixels.size(); ++p)
+      if (withScan && mask.pixels[p] != 0) image.pixels[p] = Rgb(static_cast<std::uint8_t>(40 + random() % 180));
     for (int tick = 0; tick < 11; ++tick)
-      for (int x = 380; x < 388; ++x) viewOf(picture).at(x, 50 + 22 * tick) = Rgb(240);
-    ASSERT_TRUE(clip->add(picture));
+      for (int x = 380; x < 388; ++x) viewOf(image).at(x, 50 + 22 * tick) = Rgb(240);
+    ASSERT_TRUE(clip->add(image));
   }
   ASSERT_TRUE(clip->finish());
 }
@@ -123,10 +123,10 @@ TEST(ScreenCommand, AStatedRateTakesThePlaceOfTheAssumedOne) {
   const GreyImage mask = maskOf(drawnFan(), 420, 300);
   std::mt19937 random(7);
   for (int n = 0; n < 10; ++n) {
-    GreyImage picture(420, 300);
-    for (std::size_t p = 0; p < picture.pixels.size(); ++p)
-      if (mask.pixels[p] != 0) picture.pixels[p] = static_cast<std::uint8_t>(40 + random() % 180);
-    ASSERT_TRUE(writeImage(viewOf(picture), 1.0, std::filesystem::path(folder / "p") / (std::to_string(n) + ".png")));
+    GreyImage image(420, 300);
+    for (std::size_t p = 0; p < image.pixels.size(); ++p)
+      if (mask.pixels[p] != 0) image.pixels[p] = static_cast<std::uint8_t>(40 + random() % 180);
+    ASSERT_TRUE(writeImage(viewOf(image), 1.0, std::filesystem::path(folder / "p") / (std::to_string(n) + ".png")));
   }
   const auto assumed = run({"screen", folder / "p", "-o", folder / "a.igs.mha", "--depth", "100"});
   ASSERT_EQ(assumed.status, 0) << assumed.err;
@@ -144,7 +144,7 @@ TEST(ScreenCommand, AStatedRateTakesThePlaceOfTheAssumedOne) {
   EXPECT_NEAR(*sequence->frames[3].time_s, 0.3, 1e-6);
 }
 
-TEST(ScreenCommand, PicturesAreTurnedAndMirroredAsAsked) {
+TEST(ScreenCommand, ImagesAreTurnedAndMirroredAsAsked) {
   const TemporaryFolder folder;
   writeScreenFilm(folder / "screen.avi");
   ASSERT_EQ(run({"screen", folder / "screen.avi", "-o", folder / "plain.igs.mha", "--tick", "5"}).status, 0);
@@ -169,7 +169,7 @@ TEST(ScreenCommand, PicturesAreTurnedAndMirroredAsAsked) {
   const auto lying = readSequence(folder / "quarter.igs.mha");
   ASSERT_TRUE(lying);
   EXPECT_EQ(lying->width, before->height);
-  // The file beside it says how the pictures lie, and is a correction that does the same again.
+  // The file beside it says how the images lie, and is a correction that does the same again.
   const auto said = readScreenCorrection(folder / "quarter.screen.json");
   ASSERT_TRUE(said) << said.error();
   EXPECT_EQ(said->turned, (Orientation{1, false}));

@@ -40,7 +40,7 @@ TEST(SliceCommand, ShowsTheSamePixelsFromAMappedFileAsFromMemory) {
   ASSERT_TRUE(writeVolume(volume, folder / "packed.mha"));
   const std::string pose = "0.8 0.36 0.48 20 0 0.8 -0.6 3 -0.6 0.48 0.64 14 0 0 0 1";
   for (const std::string quality : {"weave", "linear"}) {
-    std::vector<std::vector<std::uint8_t>> pictures;
+    std::vector<std::vector<std::uint8_t>> images;
     for (const bool map : {false, true}) {
       std::vector<std::string> words = {"slice",  folder / "v.mhd", "--pose",    pose,
                                         "--size", "50x40",          "--quality", quality,
@@ -49,10 +49,10 @@ TEST(SliceCommand, ShowsTheSamePixelsFromAMappedFileAsFromMemory) {
       const auto outcome = run(words);
       ASSERT_EQ(outcome.status, 0) << outcome.err;
       EXPECT_EQ(readJson(folder / "r.json")["options"]["mapped"], map);
-      pictures.push_back(readImage(folder / "o.mha")->pixels);
+      images.push_back(readImage(folder / "o.mha")->pixels);
     }
-    EXPECT_EQ(pictures[0], pictures[1]) << quality;
-    EXPECT_GT(*std::max_element(pictures[0].begin(), pictures[0].end()), 0);
+    EXPECT_EQ(images[0], images[1]) << quality;
+    EXPECT_GT(*std::max_element(images[0].begin(), images[0].end()), 0);
   }
   const auto refused = run({"slice", folder / "packed.mha", "--pose", pose, "--map", "-o", folder / "p.png"});
   EXPECT_EQ(refused.status, 1);
@@ -66,14 +66,14 @@ TEST(SliceCommand, IsZeroOutsideTheVolumeAndSaysWhenThePlaneMissesIt) {
                             "--report", folder / "r.json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("does not meet the volume"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find(" mm; its picture is black"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" mm; its image is black"), std::string::npos) << outcome.err;
   const auto image = readImage(folder / "o.png");
   ASSERT_TRUE(image);
   EXPECT_EQ(image->pixels, std::vector<std::uint8_t>(120, 0));
   EXPECT_EQ(readJson(folder / "r.json")["quality"]["inside_share_min"], 0.0);
 }
 
-TEST(SliceCommand, NumbersThePicturesOfSeveralPosesAndReportsEachStep) {
+TEST(SliceCommand, NumbersTheImagesOfSeveralPosesAndReportsEachStep) {
   const TemporaryFolder folder;
   const auto volume = rampVolume({12, 10, 8});
   ASSERT_TRUE(writeVolume(volume, folder / "v.mha"));

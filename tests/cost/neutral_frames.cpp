@@ -45,11 +45,11 @@ Pose posed() {
   return pose;
 }
 
-/// Of the last picture: both ways must show the same.
-unsigned sumOf(ImageView<const std::uint8_t> picture) {
+/// Of the last image: both ways must show the same.
+unsigned sumOf(ImageView<const std::uint8_t> image) {
   unsigned sum = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) sum = 31 * sum + picture.at(x, y);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) sum = 31 * sum + image.at(x, y);
   return sum;
 }
 
@@ -67,20 +67,20 @@ void countPlan(const Volume& volume, const Knobs& knobs) {
   maker.configure(convexProbe(), knobs, {}, volume.grid, kWidth, kHeight);
   const Pose pose = posed();
   count([&] { maker.make(volume.view(), pose); });
-  std::printf("picture %u\n", sumOf(maker.make(volume.view(), pose).grey));
+  std::printf("image %u\n", sumOf(maker.make(volume.view(), pose).grey));
 }
 
 void countSlice(const Volume& volume, const Knobs& knobs) {
   const DisplayGeometry geometry = fitDisplay(convexProbe(), knobs, kWidth, kHeight);
   const Spans spans = fanSpans(convexProbe(), knobs, geometry);
-  GreyImage picture(kWidth, kHeight);
+  GreyImage image(kWidth, kHeight);
   SliceScratch scratch;
   const Pose pose = posed();
   count([&] {
     const auto imageToVoxel = volume.grid.worldToVoxel() * pose.probeToWorld * geometry.imageToProbe();
-    slice(knobs.quality, volume.view(), imageToVoxel, spans, viewOf(picture), scratch);
+    slice(knobs.quality, volume.view(), imageToVoxel, spans, viewOf(image), scratch);
   });
-  std::printf("picture %u\n", sumOf(viewOf(picture)));
+  std::printf("image %u\n", sumOf(viewOf(image)));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #   - of our own code, the neutral plan runs as many instructions, to the last one, in a program that has no effect's code in it. What
 #     the system's libraries run for it depends on where the linker puts things (strlen reads a text at the end of a page otherwise: 4
 #     instructions a frame in a build folder with a longer name), so it is bounded only; a difference is named by its functions;
-#   - it runs at most 3000 a frame more than the slicer alone (check of the pose, plan, clock), and shows the same picture.
+#   - it runs at most 3000 a frame more than the slicer alone (check of the pose, plan, clock), and shows the same image.
 
 # count(OUT PROGRAM WAY): OUT, OUT_own and OUT_libraries are instructions, OUT_functions what each function of our own ran, OUT_picture
 # what was shown.

@@ -48,8 +48,7 @@ TEST(DicomStudy, OfACaseHasItsInventedPatientAndTheTitleForTrainees) {
   open.titleForTrainees = examined.titleForTrainees;
   EXPECT_NE(beginStudy(open, {}).patient.id, first.patient.id);
   EXPECT_EQ(first.title, "Upper abdomen, pain after meals");
-  const std::set<std::string> uids{first.studyUid,  first.picturesUid,  first.reportsUid,
-                                   second.studyUid, second.picturesUid, second.reportsUid};
+  const std::set<std::string> uids{first.studyUid, first.imagesUid, first.reportsUid, second.studyUid, second.imagesUid, second.reportsUid};
   EXPECT_EQ(uids.size(), 6u);
 }
 

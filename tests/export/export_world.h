@@ -57,7 +57,7 @@ inline DicomStudy someStudy() {
   study.region = "pregnant womb";
   study.operators = "Trainee One";
   study.studyUid = dicomUidOf(1, 1);
-  study.picturesUid = dicomUidOf(1, 2);
+  study.imagesUid = dicomUidOf(1, 2);
   study.reportsUid = dicomUidOf(1, 3);
   study.begun = std::chrono::sys_days(std::chrono::year(2026) / 11 / 25) + std::chrono::hours(7) + std::chrono::seconds(5);
   return study;

@@ -1,6 +1,6 @@
 #include "ew/export/measurement_report.h"
 
-#include "ew/export/dicom_picture.h"
+#include "ew/export/dicom_image.h"
 #include "ew/measurement/package.h"
 #include "export_world.h"
 #include "places.h"
@@ -41,7 +41,7 @@ MeasurementReportOptions someReport() {
   MeasurementReportOptions options;
   options.instanceUid = dicomUidOf(3, 1);
   options.made = someStudy().begun;
-  options.pictures = {{kUsImageClass, dicomUidOf(2, 1)}, {kUsMultiframeClass, dicomUidOf(2, 2)}};
+  options.images = {{kUsImageClass, dicomUidOf(2, 1)}, {kUsMultiframeClass, dicomUidOf(2, 2)}};
   return options;
 }
 
@@ -110,7 +110,7 @@ TEST(MeasurementReport, HasEachValueOfTheWorksheetOnce) {
   ASSERT_TRUE(succeeded(writeMeasurementReport(sheet, someReport(), someStudy(), folder / "a.dcm")));
   const std::string text = tree(folder / "a.dcm").text;
   std::size_t values = 1;  // gestational age by dates
-  for (const FilledSection& section : sheet.sections)
+  for (const SectionValues& section : sheet.sections)
     for (const WorksheetRow& row : section.rows) values += (row.value ? 1 : 0) + (row.measured.size() > 1 ? row.measured.size() : 0);
   EXPECT_EQ(linesWith(text, {"contains NUM"}), values) << text;
 }
@@ -156,7 +156,7 @@ TEST(MeasurementReport, IsWithoutFaultToDicom3tools) {
   }
 }
 
-TEST(MeasurementReport, BelongsToTheStudyOfItsPicturesAndNamesThem) {
+TEST(MeasurementReport, BelongsToTheStudyOfItsImagesAndNamesThem) {
   EW_NEEDS_PROGRAM("dcmdump");
   const TemporaryFolder folder;
   ASSERT_TRUE(succeeded(writeMeasurementReport(obstetricSheet(), someReport(), someStudy(), folder / "a.dcm")));

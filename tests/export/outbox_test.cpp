@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-#include "ew/export/dicom_picture.h"
+#include "ew/export/dicom_image.h"
 #include "ew/export/measurement_report.h"
 #include "ew/imaging/caption.h"
 #include "ew/io/dicom.h"
@@ -32,8 +32,8 @@ GreyImage withWords(GreyImage image) {
   return image;
 }
 
-DicomPictureOptions pictureNumbered(std::uint64_t n) {
-  DicomPictureOptions options;
+DicomImageOptions imageNumbered(std::uint64_t n) {
+  DicomImageOptions options;
   options.instanceUid = dicomUidOf(7, n);
   options.number = static_cast<int>(n);
   options.probe.name = "Test probe";
@@ -41,9 +41,9 @@ DicomPictureOptions pictureNumbered(std::uint64_t n) {
   return options;
 }
 
-fs::path writePicture(const fs::path& folder, int n) {
+fs::path writeDisplayImage(const fs::path& folder, int n) {
   const fs::path file = folder / ("picture" + std::to_string(n) + ".dcm");
-  EXPECT_TRUE(succeeded(writeDicomPicture({pattern(n), {}}, pictureNumbered(static_cast<std::uint64_t>(n)), someStudy(), file)));
+  EXPECT_TRUE(succeeded(writeDicomImage({pattern(n), {}}, imageNumbered(static_cast<std::uint64_t>(n)), someStudy(), file)));
   return file;
 }
 
@@ -52,7 +52,7 @@ fs::path writeClip(const fs::path& folder) {
   clip.size_px = {160, 120};
   clip.times_s = {0.0, 0.04, 0.09};
   clip.still = [](std::size_t n) -> Result<Still> { return Still{pattern(100 + static_cast<int>(n)), {}}; };
-  EXPECT_TRUE(succeeded(writeDicomClip(clip, pictureNumbered(50), someStudy(), folder / "clip.dcm")));
+  EXPECT_TRUE(succeeded(writeDicomClip(clip, imageNumbered(50), someStudy(), folder / "clip.dcm")));
   return folder / "clip.dcm";
 }
 
@@ -95,7 +95,7 @@ class AtReport final : public Progress {
 };
 
 /// Every object is in the archive once, with its pixels.
-void expectAllThere(const Orthanc& archive, int pictures) {
+void expectAllThere(const Orthanc& archive, int images) {
   std::vector<std::vector<std::uint8_t>> stills;
   std::size_t clips = 0, reports = 0;
   for (const fs::path& file : archive.kept()) {
@@ -121,7 +121,7 @@ void expectAllThere(const Orthanc& archive, int pictures) {
     }
   }
   std::vector<std::vector<std::uint8_t>> expected;
-  for (int n = 1; n <= pictures; ++n) expected.push_back(withWords(pattern(n)).pixels);
+  for (int n = 1; n <= images; ++n) expected.push_back(withWords(pattern(n)).pixels);
   std::sort(stills.begin(), stills.end());
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(stills.size(), expected.size());
@@ -132,7 +132,7 @@ void expectAllThere(const Orthanc& archive, int pictures) {
 
 TEST(Outbox, KeepsACopyOfEachObjectOnceUntilItIsVerified) {
   const TemporaryFolder folder;
-  const fs::path first = writePicture(folder.path(), 1), second = writePicture(folder.path(), 2);
+  const fs::path first = writeDisplayImage(folder.path(), 1), second = writeDisplayImage(folder.path(), 2);
   {
     auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
@@ -154,7 +154,7 @@ TEST(Outbox, KeepsACopyOfEachObjectOnceUntilItIsVerified) {
 
 TEST(Outbox, FindsACopyWhoseNoteWasNotWrittenAndRemovesOneThatIsDone) {
   const TemporaryFolder folder;
-  const fs::path first = writePicture(folder.path(), 1);
+  const fs::path first = writeDisplayImage(folder.path(), 1);
   OutboxEntry entry;
   fs::path copy;
   const fs::path notes = folder / "outbox/notes";
@@ -189,7 +189,7 @@ TEST(Outbox, BelongsToOneProgramAtATimeAndTakesDicomAlone) {
   const auto second = DicomOutbox::open(folder / "outbox");
   ASSERT_FALSE(second);
   EXPECT_NE(second.error().sentence().find("Another program"), std::string::npos);
-  writeText(folder / "a.txt", "no picture");
+  writeText(folder / "a.txt", "no image");
   EXPECT_FALSE(outbox->add(folder / "a.txt"));
   EXPECT_FALSE(outbox->add(folder / "missing.dcm"));
   EXPECT_TRUE(outbox->entries().empty());
@@ -197,7 +197,7 @@ TEST(Outbox, BelongsToOneProgramAtATimeAndTakesDicomAlone) {
 
 TEST(Outbox, WhatCannotBeReadIsNamedAndHoldsNothingUp) {
   const TemporaryFolder folder;
-  const fs::path first = writePicture(folder.path(), 1), second = writePicture(folder.path(), 2);
+  const fs::path first = writeDisplayImage(folder.path(), 1), second = writeDisplayImage(folder.path(), 2);
   fs::path note;
   {
     auto outbox = DicomOutbox::open(folder / "outbox");
@@ -243,7 +243,7 @@ TEST(Outbox, OfAnEarlierVersionGoesOnWhereItStood) {
   const auto uid = [](std::uint64_t n) { return dicomUidOf(7, n); };
   fs::create_directory(folder / "outbox");
   for (int n = 1; n <= 4; ++n)
-    fs::copy_file(writePicture(folder.path(), n), folder / ("outbox/" + uid(static_cast<std::uint64_t>(n)) + ".dcm"));
+    fs::copy_file(writeDisplayImage(folder.path(), n), folder / ("outbox/" + uid(static_cast<std::uint64_t>(n)) + ".dcm"));
   writeText(folder / ("outbox/" + uid(1) + ".json"), earlierNote(uid(1), "refused", "no room"));
   writeText(folder / ("outbox/" + uid(2) + ".json"), earlierNote(uid(2), "stored", ""));
   writeText(folder / ("outbox/" + uid(3) + ".json"), earlierNote(uid(3), "verified", ""));  // stopped before the removal
@@ -269,7 +269,7 @@ TEST(Outbox, OfAnEarlierVersionGoesOnWhereItStood) {
 TEST(Outbox, IsForItsOwnerAlone) {
   const TemporaryFolder folder;
   auto outbox = DicomOutbox::open(folder / "outbox");
-  ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+  ASSERT_TRUE(outbox->add(writeDisplayImage(folder.path(), 1)).value());
   EXPECT_EQ(fs::status(folder / "outbox").permissions(), fs::perms::owner_all);
   for (const auto& each : fs::directory_iterator(folder / "outbox"))
     EXPECT_EQ(each.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << each.path();
@@ -288,7 +288,7 @@ TEST(Outbox, OfAnEarlierVersionIsClosedToOthersAndWhatElseLiesThereIsNot) {
   {
     auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
-    ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+    ASSERT_TRUE(outbox->add(writeDisplayImage(folder.path(), 1)).value());
     own.push_back(outbox->copyOf(outbox->entries().front()));
     own.push_back(fs::path(own.back()).replace_extension(".json"));
     writeText(own.back(), earlierNote(own.back().stem().string(), "waiting", ""));
@@ -317,7 +317,7 @@ TEST(Sending, WithoutAnArchiveWaitsLongerEachTimeAndLosesNothing) {
   const TemporaryFolder folder;
   auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
-  ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+  ASSERT_TRUE(outbox->add(writeDisplayImage(folder.path(), 1)).value());
   DicomArchive archive;
   archive.host = "127.0.0.1";
   archive.port = freePort();
@@ -378,7 +378,7 @@ TEST(Sending, StopsAtOnceWhenToldWhileTheArchiveIsSilent) {
   const TemporaryFolder folder;
   auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
-  ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+  ASSERT_TRUE(outbox->add(writeDisplayImage(folder.path(), 1)).value());
   const SilentPort port;
   DicomArchive archive;
   archive.host = "127.0.0.1";
@@ -407,7 +407,7 @@ TEST(Sending, GivesUpASilentArchiveAfterItsTimeout) {
   EXPECT_EQ(asked.error().code, ErrorCode::notReadable);
 }
 
-TEST(Sending, BringsPicturesClipAndReportToARealArchiveOnceEach) {
+TEST(Sending, BringsImagesClipAndReportToARealArchiveOnceEach) {
   EW_NEEDS_PROGRAM("Orthanc");
   const TemporaryFolder folder;
   Orthanc archive(folder / "orthanc");
@@ -415,7 +415,7 @@ TEST(Sending, BringsPicturesClipAndReportToARealArchiveOnceEach) {
   auto outbox = DicomOutbox::open(folder / "outbox");
   ASSERT_TRUE(succeeded(outbox));
   for (const fs::path& file :
-       {writePicture(folder.path(), 1), writePicture(folder.path(), 2), writeClip(folder.path()), writeReport(folder.path())})
+       {writeDisplayImage(folder.path(), 1), writeDisplayImage(folder.path(), 2), writeClip(folder.path()), writeReport(folder.path())})
     ASSERT_TRUE(outbox->add(file).value());
   RetryOptions once;
   once.mostRounds = 1;
@@ -437,7 +437,8 @@ TEST(Sending, GoesOnWhenTheArchiveIsKilledInTheMiddleAndComesBack) {
     ASSERT_TRUE(archive.start()) << archive.said();
     auto outbox = DicomOutbox::open(own / "outbox");
     ASSERT_TRUE(succeeded(outbox));
-    for (const fs::path& file : {writePicture(own, 1), writePicture(own, 2), writePicture(own, 3), writeClip(own), writeReport(own)})
+    for (const fs::path& file :
+         {writeDisplayImage(own, 1), writeDisplayImage(own, 2), writeDisplayImage(own, 3), writeClip(own), writeReport(own)})
       ASSERT_TRUE(outbox->add(file).value());
     AtReport progress(killedAt, [&] { archive.kill(); });
     RetryOptions options;
@@ -464,7 +465,7 @@ TEST(Sending, TakesTheWordOfAnArchiveThatCannotBeAsked) {
     const Storescp gateway(own / "kept", option);
     auto outbox = DicomOutbox::open(own / "outbox");
     ASSERT_TRUE(succeeded(outbox));
-    for (const fs::path& file : {writePicture(own, 1), writeClip(own), writeReport(own)}) ASSERT_TRUE(outbox->add(file).value());
+    for (const fs::path& file : {writeDisplayImage(own, 1), writeClip(own), writeReport(own)}) ASSERT_TRUE(outbox->add(file).value());
     RetryOptions options;
     options.wait = [](double) {
       ADD_FAILURE() << "there is nothing to wait for";
@@ -482,7 +483,7 @@ TEST(Sending, TakesTheWordOfAnArchiveThatCannotBeAsked) {
     EXPECT_EQ(outbox->count(OutboxStatus::accepted), 3u);
     for (const OutboxEntry& entry : outbox->entries()) EXPECT_FALSE(fs::exists(outbox->copyOf(entry)));
     // Pixels arrive as they are, whatever they were packed in.
-    int pictures = 0;
+    int images = 0;
     for (const fs::path& file : gateway.kept()) {
       CineOptions whole;
       whole.region = 0;
@@ -490,10 +491,10 @@ TEST(Sending, TakesTheWordOfAnArchiveThatCannotBeAsked) {
       whole.keepText = true;  // the words of the simulation are burnt in, and the object says so
       const auto cine = readDicomCine(file, whole);
       if (!cine || cine->sequence.frames.size() != 1) continue;
-      ++pictures;
+      ++images;
       EXPECT_EQ(cine->sequence.pixels, withWords(pattern(1)).pixels);
     }
-    EXPECT_EQ(pictures, 1);
+    EXPECT_EQ(images, 1);
   }
 }
 
@@ -504,7 +505,7 @@ TEST(Sending, WhatWaitsToBeAskedForLeavesTheOutboxOfAnArchiveThatCannotBeAsked) 
   {
     auto outbox = DicomOutbox::open(folder / "outbox");
     ASSERT_TRUE(succeeded(outbox));
-    ASSERT_TRUE(outbox->add(writePicture(folder.path(), 1)).value());
+    ASSERT_TRUE(outbox->add(writeDisplayImage(folder.path(), 1)).value());
     OutboxEntry entry = outbox->entries().front();
     entry.status = OutboxStatus::stored;  // as an earlier connection left it
     ASSERT_TRUE(succeeded(outbox->keep(entry)));
@@ -532,7 +533,8 @@ TEST(Sending, EndsWithAnArchiveThatRefusesQuestions) {
     const RefusesQuestions archive(how);
     auto outbox = DicomOutbox::open(own / "outbox");
     ASSERT_TRUE(succeeded(outbox));
-    for (const fs::path& file : {writePicture(own, 1), writePicture(own, 2), writeReport(own)}) ASSERT_TRUE(outbox->add(file).value());
+    for (const fs::path& file : {writeDisplayImage(own, 1), writeDisplayImage(own, 2), writeReport(own)})
+      ASSERT_TRUE(outbox->add(file).value());
     RetryOptions options;
     options.wait = [](double) { return true; };
     const auto result = sendOutbox(*outbox, archive.address(), options);

@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     KretzOptions options;
     if (step > 0) options.timeStep = step;
     options.threads = 1;
-    if (const auto read = readKretz(file, options, noProgress(), ReadLimits{4u << 20}))
+    if (const auto read = readKretz(file, options, noProgress(), ReaderLimits{4u << 20}))
       fuzz::checkVolume(read->volume);
     else
       fuzz::checkError(read.error());

@@ -16,7 +16,7 @@
 namespace ew::fuzz {
 
 /// What a reader may take while it is fed with garbage.
-inline constexpr ReadLimits kSmall{64u << 20};
+inline constexpr ReaderLimits kSmall{64u << 20};
 
 /// The bytes as a file of this ending, in memory where the system has a place for that; the same name every time.
 inline std::filesystem::path asFile(const std::uint8_t* bytes, std::size_t size, const std::string& ending) {

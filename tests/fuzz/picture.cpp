@@ -1,7 +1,7 @@
 #include "ew/io/image_stack.h"
 #include "one_file.h"
 
-/// The first byte chooses the kind of picture.
+/// The first byte chooses the kind of image.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace ew;
   if (size < 2 || size > 65536) return 0;

@@ -6,7 +6,7 @@
 #include "ew/io/sequence.h"
 #include "kretz_files.h"
 #include "made_films.h"
-#include "packed_pictures.h"
+#include "packed_images.h"
 #ifdef EW_HAS_TRACKERS
 #include "../trackers/igtl_messages.h"
 #include "ew/trackers/igtl_bodies.h"
@@ -50,16 +50,16 @@ void dicom(const fs::path& folder) {
   for (const int samples : {1, 3}) {
     cine.samples = static_cast<std::uint16_t>(samples);
     cine.photometric = samples == 1 ? "MONOCHROME2" : "RGB";
-    const std::string picture = ramp(256u * static_cast<std::size_t>(samples));
+    const std::string image = ramp(256u * static_cast<std::size_t>(samples));
     const std::string s = std::to_string(samples);
     cine.syntax = kJpegLossless;
-    cine.packed = {packedBy<gdcm::JPEGCodec>(picture, 16, 16, samples, 8)};
+    cine.packed = {packedBy<gdcm::JPEGCodec>(image, 16, 16, samples, 8)};
     put(folder, "jpeg-" + s, cineFile(cine));
     cine.syntax = kJpegLs;
-    cine.packed = {packedBy<gdcm::JPEGLSCodec>(picture, 16, 16, samples, 8)};
+    cine.packed = {packedBy<gdcm::JPEGLSCodec>(image, 16, 16, samples, 8)};
     put(folder, "jpegls-" + s, cineFile(cine));
     cine.syntax = kJpeg2000;
-    cine.packed = {packedBy<gdcm::JPEG2000Codec>(picture, 16, 16, samples, 8)};
+    cine.packed = {packedBy<gdcm::JPEG2000Codec>(image, 16, 16, samples, 8)};
     put(folder, "j2k-" + s, cineFile(cine));
   }
   cine = {};
@@ -197,8 +197,8 @@ void others(const fs::path& folder) {
   put(folder / "raw", "f64", "1x1x2:f64:1e-3:0\n" + ramp(16));
   put(folder / "picture", "jpeg", packedBy<gdcm::JPEGCodec>(ramp(256), 16, 16, 1, 8));
   put(folder / "picture", "pgm", "P5\n# note\n4 3\n255\n" + ramp(12));
-  const ew::GreyImage picture(8, 8, 77);
-  static_cast<void>(ew::writeImage(viewOf(picture), 1.0, folder / "picture" / "a.png"));
+  const ew::GreyImage image(8, 8, 77);
+  static_cast<void>(ew::writeImage(viewOf(image), 1.0, folder / "picture" / "a.png"));
 }
 
 void stitching(const fs::path& folder) {
@@ -361,7 +361,7 @@ void igtl(const fs::path& folder) {
   probe.toolToTracker.matrix = pose;
   needle.tool = "NeedleToTracker";
   needle.state = TrackingState::invalid;
-  const GreyImage picture(6, 4, 90);
+  const GreyImage image(6, 4, 90);
   std::string numbers;  // a place and a quaternion, as big-endian floats: POSITION, QTRANS, and with a name QTDATA
   for (const float value : {1.0F, 2.0F, 3.0F, 0.0F, 0.0F, 0.0F, 1.0F}) {
     auto four = std::bit_cast<std::array<char, 4>>(value);
@@ -376,7 +376,7 @@ void igtl(const fs::path& folder) {
                                                         {"QTDATA", name + std::string("\1\0", 2) + numbers},
                                                         {"POSITION", numbers},
                                                         {"STATUS", bytesOf(igtlStatusContent({5, 7, "busy", "wait a little"}))},
-                                                        {"IMAGE", bytesOf(igtlImageContent(viewOf(picture), pose))},
+                                                        {"IMAGE", bytesOf(igtlImageContent(viewOf(image), pose))},
                                                         {"QTRANS", numbers}};
   std::string stream;
   for (std::size_t n = 0; n < std::size(bodies); ++n) {

@@ -1,4 +1,4 @@
-// Whole frames against kept pictures; README.md beside this file says how they were made and when to renew them.
+// Whole frames against kept images; README.md beside this file says how they were made and when to renew them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -113,7 +113,7 @@ std::vector<Kept> keptFrames() {
 class GoldenFrame : public ::testing::TestWithParam<Kept> {};
 
 /// At most one grey level apart, but for one pixel in a thousand: another compiler may round a position to the voxel beside.
-TEST_P(GoldenFrame, IsTheKeptPicture) {
+TEST_P(GoldenFrame, IsTheKeptImage) {
   const Kept& kept = GetParam();
   const fs::path golden = fs::path(EW_SOURCE_DIR) / "tests" / "golden" / "frames" / (std::string(kept.name) + ".png");
   const Volume volume = body();
@@ -148,7 +148,7 @@ TEST_P(GoldenFrame, IsTheKeptPicture) {
     fs::create_directories(left);
     ASSERT_TRUE(writeImage(actual, 1.0, left / (std::string(kept.name) + ".actual.png")));
     ASSERT_TRUE(writeImage(viewOf(difference), 1.0, left / (std::string(kept.name) + ".difference.png")));
-    ADD_FAILURE() << "The picture and its difference (8 times) are in " << left;
+    ADD_FAILURE() << "The image and its difference (8 times) are in " << left;
   }
 }
 

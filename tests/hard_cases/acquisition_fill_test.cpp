@@ -82,7 +82,7 @@ TEST(HardProvenance, OfMoreFramesThanSixteenBitsCountIsRefused) {
 TEST(HardConfidence, PixelsNobodyBelievesAreNotMeasured) {
   Sweep sweep = stack(8, 8, 3, 1.0, level);
   const GreyImage none(8, 8, 0);
-  for (PosedFrame& frame : sweep.frames) frame.weights = viewOf(none);
+  for (TrackedFrame& frame : sweep.frames) frame.weights = viewOf(none);
   ReconstructOptions options = filled(FillMethod::sweep);
   options.compounding = Compounding::weighted;
   for (const auto interpolation : {Interpolation::nearest, Interpolation::linear, Interpolation::centred}) {

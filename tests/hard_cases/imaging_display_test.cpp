@@ -1,4 +1,4 @@
-// What is done to the picture and with it: tone, edges, persistence, M-mode, quality of a moving probe.
+// What is done to the image and with it: tone, edges, persistence, M-mode, quality of a moving probe.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(HardTables, DynamicRangesThatAreNoNumbersChangeNothingAndExtremeOnesAreKept
   EXPECT_EQ(shownLevel({.dynamicRange_db = 1e-300}, 200.0), shownLevel({.dynamicRange_db = 20.0}, 200.0));
 }
 
-TEST(HardPictures, FansOfOnePixelOneRowOrOneColumnAreShownAsTheyAreByEdgeEnhancement) {
+TEST(HardImages, FansOfOnePixelOneRowOrOneColumnAreShownAsTheyAreByEdgeEnhancement) {
   std::mt19937 random(1);
   for (const auto& [width, height] : {std::pair{1, 1}, std::pair{300, 1}, std::pair{1, 300}, std::pair{300, 4}, std::pair{4, 300}}) {
     GreyImage in(width, height), out(width, height);
@@ -51,17 +51,17 @@ TEST(HardPictures, FansOfOnePixelOneRowOrOneColumnAreShownAsTheyAreByEdgeEnhance
   }
 }
 
-TEST(HardPictures, AStillPictureIsReachedByPersistenceExactlyForEveryShareAndStep) {
+TEST(HardImages, AStillImageIsReachedByPersistenceExactlyForEveryShareAndStep) {
   const Spans spans(1, {{0, 256}});
   for (const double share : {1e-9, 0.5, 0.949, 0.95, 1.0, kInfinity})
     for (const int before : {0, 1, 128, 254, 255}) {
       PersistenceMemory memory;
-      GreyImage picture(256, 1, static_cast<std::uint8_t>(before));
+      GreyImage image(256, 1, static_cast<std::uint8_t>(before));
       for (int frame = 0; frame <= 200; ++frame) {
         beginPersistence(256, 1, memory);
-        persist(share, spans, 0, 1, viewOf(picture), memory);
+        persist(share, spans, 0, 1, viewOf(image), memory);
         for (std::size_t v = 0; v < 256; ++v)
-          if (frame < 200) picture.pixels[v] = static_cast<std::uint8_t>(v);
+          if (frame < 200) image.pixels[v] = static_cast<std::uint8_t>(v);
       }
       for (std::size_t v = 0; v < 256; ++v) ASSERT_EQ(memory.levels[v], 128 * v) << "share " << share << " from " << before;
     }
@@ -78,13 +78,13 @@ TEST(HardTimes, MModeDrawsNothingForTimesThatRepeatRunBackwardsOrAreNoneAndStart
   strip.add(1e6 + 1.5, {});
   EXPECT_EQ(strip.cursor(), 33);
   strip.add(1e6 + 1.5, grey);
-  for (int x = 0; x < 49; ++x) EXPECT_EQ(strip.picture().at(x, 10), 100);
+  for (int x = 0; x < 49; ++x) EXPECT_EQ(strip.image().at(x, 10), 100);
   strip.add(-1e300, grey);
   EXPECT_EQ(strip.cursor(), 1);
   strip.add(1e300, white);
   EXPECT_EQ(strip.cursor(), 1);
-  EXPECT_EQ(strip.picture().at(0, 0), 255);
-  EXPECT_EQ(strip.picture().at(40, 0), 0);
+  EXPECT_EQ(strip.image().at(0, 0), 255);
+  EXPECT_EQ(strip.image().at(40, 0), 0);
 }
 
 TEST(HardTimes, QualityIsNotLoweredByPosesOrTimesThatAreNoneNorByTheSignOfAQuaternion) {

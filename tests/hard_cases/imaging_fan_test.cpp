@@ -26,9 +26,9 @@ GreyImage converted(const ScanConversionTable& table, float level) {
   const std::size_t count = static_cast<std::size_t>(table.lines) * static_cast<std::size_t>(table.samples);
   const std::unique_ptr<float[]> levels(new float[count]);
   std::fill_n(levels.get(), count, level);
-  GreyImage picture(table.width, table.height);
-  scanConvert(table, {levels.get(), table.lines, table.samples, table.lines}, 0, table.height, viewOf(picture));
-  return picture;
+  GreyImage image(table.width, table.height);
+  scanConvert(table, {levels.get(), table.lines, table.samples, table.lines}, 0, table.height, viewOf(image));
+  return image;
 }
 
 /// Every pixel in the fan shows a constant, and every tap has its four neighbours on the grid.
@@ -40,8 +40,8 @@ void expectFilled(const Probe& probe, const Knobs& knobs, const BeamGrid& grid, 
     ASSERT_LE(tap.lineWeight, 32768);
     ASSERT_LE(tap.sampleWeight, 32768);
   }
-  const GreyImage picture = converted(table, 77.0F);
-  const auto filled = static_cast<std::size_t>(std::count(picture.pixels.begin(), picture.pixels.end(), 77));
+  const GreyImage image = converted(table, 77.0F);
+  const auto filled = static_cast<std::size_t>(std::count(image.pixels.begin(), image.pixels.end(), 77));
   EXPECT_EQ(filled, pixelsOf(fanSpans(probe, knobs, geometry)));
 }
 
@@ -71,7 +71,7 @@ TEST(HardFan, FourThousandLinesKeepTheirPlaces) {
   }
 }
 
-TEST(HardFan, APictureOfOnePixelShowsTheMiddleOfTheFanOrNothing) {
+TEST(HardFan, AnImageOfOnePixelShowsTheMiddleOfTheFanOrNothing) {
   for (const ProbeKind kind : kKinds)
     for (const double zoom : {1.0, 8.0}) {
       const Probe probe = testing::probeOf(kind);
@@ -99,7 +99,7 @@ TEST(HardFan, ZoomedInEightTimesRowsBesideTheFanAreEmptyAndTheOthersFilled) {
       DisplayGeometry geometry = fitDisplay(probe, knobs, 160, 120);
       const BeamGrid grid = makeBeamGrid(probe, knobs, geometry.depth_mm, 0.3);
       expectFilled(probe, knobs, grid, geometry);
-      geometry.face_px.y = upsideDown ? -50.0 : 170.0;  // the whole fan lies below (above) the picture, but for the ends of its face
+      geometry.face_px.y = upsideDown ? -50.0 : 170.0;  // the whole fan lies below (above) the image, but for the ends of its face
       expectFilled(probe, knobs, grid, geometry);
       geometry.face_px = {1e7, -1e7};
       EXPECT_EQ(pixelsOf(fanSpans(probe, knobs, geometry)), 0U);

@@ -35,7 +35,7 @@ TEST(FocusHardCases, FociThatAreNoneDoNotCountAndTwiceTheSameIsOnce) {
   }
 }
 
-TEST(FocusHardCases, AFocusDeeperThanThePictureSharpensWhatLiesAboveItAndNoFocusIsAnUnfocusedBeam) {
+TEST(FocusHardCases, AFocusDeeperThanTheImageSharpensWhatLiesAboveItAndNoFocusIsAnUnfocusedBeam) {
   EXPECT_LT(lateralWidth_mm(modelWith({300.0}), 150.0), lateralWidth_mm(modelWith({50.0}), 150.0));
   const BeamModel none = modelWith({});
   for (double z = 0.0; z <= 150.0; z += 5.0)

@@ -66,7 +66,7 @@ Scene sceneOf(double value) {
   return scene;
 }
 
-TEST(HardPlan, SettingsThatAreNoNumbersOrBeyondEveryLimitGiveThePictureOfTheNearestUsableOnes) {
+TEST(HardPlan, SettingsThatAreNoNumbersOrBeyondEveryLimitGiveTheImageOfTheNearestUsableOnes) {
   const Volume volume = testing::noiseVolume({60, 60, 60}, 4, glm::dvec3(2.0));
   std::vector<float> gaps_mm(9, 0.0F);
   gaps_mm[8] = std::numeric_limits<float>::infinity();
@@ -90,7 +90,7 @@ TEST(HardPlan, SettingsThatAreNoNumbersOrBeyondEveryLimitGiveThePictureOfTheNear
   }
 }
 
-TEST(HardPlan, OnePixelPicturesAndTwoLineProbesRunEveryEffect) {
+TEST(HardPlan, OnePixelImagesAndTwoLineProbesRunEveryEffect) {
   const Volume volume = testing::noiseVolume({60, 60, 60}, 4, glm::dvec3(2.0));
   FrameInput input;
   input.echo = volume.view();
@@ -102,9 +102,9 @@ TEST(HardPlan, OnePixelPicturesAndTwoLineProbesRunEveryEffect) {
       Knobs knobs{.edgeEnhancement = 1.0, .persistence = 0.5, .mode = DisplayMode::both};
       FrameMaker maker(threads);
       maker.configure(probe, knobs, sceneWithEverything(), volume.grid, width, height);
-      const auto picture = maker.make(input).grey;
-      EXPECT_EQ(picture.width, width);
-      EXPECT_EQ(picture.height, height);
+      const auto image = maker.make(input).grey;
+      EXPECT_EQ(image.width, width);
+      EXPECT_EQ(image.height, height);
     }
 }
 

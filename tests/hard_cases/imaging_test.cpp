@@ -278,8 +278,8 @@ TEST(HardGeometry, PosesThatAreMirroredScaledOrNotFiniteGiveABlackFrameAndAreNam
     const auto good = maker.make(volume.view(), pose).grey;
     EXPECT_EQ(good.at(25, 25), 90);
     pose.probeToWorld.matrix = matrix;
-    const auto picture = maker.make(volume.view(), pose).grey;
-    EXPECT_TRUE(std::all_of(picture.data, picture.data + 2500, [](std::uint8_t v) { return v == 0; }));
+    const auto image = maker.make(volume.view(), pose).grey;
+    EXPECT_TRUE(std::all_of(image.data, image.data + 2500, [](std::uint8_t v) { return v == 0; }));
     EXPECT_EQ(maker.lastStatus(), PoseStatus::invalid);
   }
 }

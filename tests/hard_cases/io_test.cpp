@@ -135,7 +135,7 @@ TEST(HardFiles, AMillionPosesWithoutImagesThatAreNotDescribedAreRefused) {
   EXPECT_TRUE(says(read, "1000000 frames"));
 }
 
-TEST(HardFiles, APictureThatPromisesTooManyPixelsIsRefused) {
+TEST(HardFiles, AnImageThatPromisesTooManyPixelsIsRefused) {
   const TempFolder folder;
   ASSERT_TRUE(succeeded(writeImage(viewOf(GreyImage(2, 2, 9)), 1.0, folder / "p.png")));
   std::string bytes = bytesOfFile(folder / "p.png");

@@ -50,7 +50,7 @@ class KeepingScan final : public sdk::Scan {
     std::function<void()> takenBack;
   };
   [[nodiscard]] std::optional<ScanState> state() const override { return ScanState{}; }
-  [[nodiscard]] Picture picture() const override { return {}; }
+  [[nodiscard]] DisplayImage image() const override { return {}; }
   [[nodiscard]] DisplayGeometry geometry() const override { return {}; }
   [[nodiscard]] Knobs knobs() const override { return {}; }
   [[nodiscard]] double now_s() const override { return 0.0; }
@@ -147,7 +147,7 @@ class KeepingHost final : public sdk::Host, public sdk::Panels, public sdk::Jobs
   sdk::Window& window() override { return theWindow; }
   sdk::Log& log() override { return *this; }
 
-  void addStaged(sdk::StagedPanel panel) override {
+  void addStaged(sdk::StagePanel panel) override {
     if (const auto document = panel.document.lock()) tickets_.push_back(document->onChanged([] {}));
     panelsKept.push_back(std::move(panel));
   }
@@ -174,7 +174,7 @@ class KeepingHost final : public sdk::Host, public sdk::Panels, public sdk::Jobs
   KeepingOverlays theOverlays;
   KeepingCaseParts theParts;
   KeepingWindow theWindow;
-  std::vector<sdk::StagedPanel> panelsKept;
+  std::vector<sdk::StagePanel> panelsKept;
   std::vector<Job> jobsKept;
   int savingJobs = 0;
   std::vector<std::string> errors;

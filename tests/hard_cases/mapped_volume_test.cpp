@@ -68,15 +68,15 @@ TEST(HardMappedVolume, MoreThanTwoToThe32VoxelsAreReachedToTheLastOne) {
   const auto mapped = mapVolume(volume.header());
   ASSERT_TRUE(mapped) << mapped.error();
   ASSERT_GT(mapped->view().grid.voxelCount(), std::uint64_t{1} << 32);
-  GreyImage picture(8, 8);
+  GreyImage image(8, 8);
   SliceScratch scratch;
   for (const Quality quality : {Quality::weave, Quality::linear}) {
-    slice(quality, mapped->view(), plane({1, 0, 0}, {0, 1, 0}, glm::dvec3(last) - glm::dvec3(7, 7, 0)), viewOf(picture), scratch);
-    EXPECT_EQ(picture.pixels[63], 201) << "the last voxel";
-    EXPECT_EQ(picture.pixels[5 * 8 + 4], 120);
-    EXPECT_EQ(picture.pixels[0], 0);
-    slice(quality, mapped->view(), plane({1, 0, 0}, {0, 0, 1}, glm::dvec3(0.0)), viewOf(picture), scratch);
-    EXPECT_EQ(picture.pixels[0], 200) << "the first voxel";
+    slice(quality, mapped->view(), plane({1, 0, 0}, {0, 1, 0}, glm::dvec3(last) - glm::dvec3(7, 7, 0)), viewOf(image), scratch);
+    EXPECT_EQ(image.pixels[63], 201) << "the last voxel";
+    EXPECT_EQ(image.pixels[5 * 8 + 4], 120);
+    EXPECT_EQ(image.pixels[0], 0);
+    slice(quality, mapped->view(), plane({1, 0, 0}, {0, 0, 1}, glm::dvec3(0.0)), viewOf(image), scratch);
+    EXPECT_EQ(image.pixels[0], 200) << "the first voxel";
   }
 }
 
@@ -85,12 +85,12 @@ TEST(HardMappedVolume, FourGibibytesSweptFromAllSidesAreGivenBackUntilLessThanOn
   if (!volume.whole()) GTEST_SKIP() << "the file system takes no sparse file of 4 GiB";
   const auto mapped = mapVolume(volume.header());
   ASSERT_TRUE(mapped) << mapped.error();
-  GreyImage picture(1024, 768);
+  GreyImage image(1024, 768);
   SliceScratch scratch;
   std::uint64_t highest_kib = 0;
   // How soon the watcher gets the processor is the machine's affair; that it then gives pages back, without being told, is not.
   const auto sliceAndRest = [&](const glm::dvec3& perX, const glm::dvec3& perY, const glm::dvec3& start) {
-    slice(Quality::linear, mapped->view(), plane(perX, perY, start), viewOf(picture), scratch);
+    slice(Quality::linear, mapped->view(), plane(perX, perY, start), viewOf(image), scratch);
     highest_kib = std::max(highest_kib, statusKib("VmRSS:"));
     const auto patience_end = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(test::kPatience_ms);
     while (statusKib("VmRSS:") >= 1u << 20 && std::chrono::steady_clock::now() < patience_end)

@@ -16,15 +16,15 @@ namespace ew::test::cine_reader_test {
 namespace {
 namespace fs = std::filesystem;
 
-/// A picture with a bright bar that tells its number: its left edge lies at 8 n. @param hue tints the lower half
+/// An image with a bright bar that tells its number: its left edge lies at 8 n. @param hue tints the lower half
 RgbImage barAt(int n, int width, int height, bool hue = false) {
-  RgbImage picture(width, height);
+  RgbImage image(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const bool in = x >= 8 * n && x < 8 * n + 16;
-      viewOf(picture).at(x, y) = !in ? Rgb(20) : hue && y > height / 2 ? Rgb(250, 40, 30) : Rgb(220);
+      viewOf(image).at(x, y) = !in ? Rgb(20) : hue && y > height / 2 ? Rgb(250, 40, 30) : Rgb(220);
     }
-  return picture;
+  return image;
 }
 
 void writeFilm(const fs::path& file, int frames, double rate_hz = 20.0, bool hue = false) {
@@ -34,7 +34,7 @@ void writeFilm(const fs::path& file, int frames, double rate_hz = 20.0, bool hue
   ASSERT_TRUE(clip->finish());
 }
 
-/// The number that a picture's bar tells.
+/// The number that an image's bar tells.
 int numberOf(const CineFrame& frame) {
   const auto view = viewOf(frame.level);
   int first = 0;
@@ -168,7 +168,7 @@ TEST(CineReader, BrokenFilesAreOneSentence) {
 
 TEST(CineReader, AFolderOfDicomStillsSaysWhatReadsIt) {
   const TempFolder folder;
-  EXPECT_NE(CineReader::open(folder.path()).error().sentence().find("holds no pictures"), std::string::npos);
+  EXPECT_NE(CineReader::open(folder.path()).error().sentence().find("holds no images"), std::string::npos);
   CineOf still;
   still.frames = 1;
   still.pixels = ramp(48);
@@ -301,7 +301,7 @@ TEST(CineReader, ARateThatNobodyStatedIsSaidToBeAssumed) {
   }
   const auto timed = folder.put("c.dcm", cineFile(timedBy("40")));
   EXPECT_FALSE(contains(CineReader::open(timed)->info().notes, "assumed"));
-  EXPECT_TRUE(contains(CineReader::open(timed, noProgress(), {}, {}, 10.0)->info().notes, "The rate of the pictures was stated, 10"));
+  EXPECT_TRUE(contains(CineReader::open(timed, noProgress(), {}, {}, 10.0)->info().notes, "The rate of the images was stated, 10"));
 }
 
 TEST(CineReader, RegionsThatGiveNoScaleAreNamed) {
@@ -317,11 +317,11 @@ TEST(CineReader, RegionsThatGiveNoScaleAreNamed) {
   auto beyond = CineReader::open(folder.put("b.dcm", cineFile(cine)));
   ASSERT_TRUE(beyond) << beyond.error();
   EXPECT_TRUE(beyond->info().scales.empty());
-  EXPECT_TRUE(contains(beyond->info().notes, "it reaches beyond the picture of 8 x 6 pixels"));
+  EXPECT_TRUE(contains(beyond->info().notes, "it reaches beyond the image of 8 x 6 pixels"));
   EXPECT_TRUE(contains(beyond->info().notes, "so none was used"));
 }
 
-TEST(CineReader, PicturesWhosePixelsAreNotSquareBecomeSquare) {
+TEST(CineReader, ImagesWhosePixelsAreNotSquareBecomeSquare) {
   const TempFolder folder;
   ASSERT_TRUE(writeImage(viewOf(GreyImage(8, 6, 90)), 1.0, folder / "p1.png"));
   const std::string png = bytesOfFile(folder / "p1.png");

@@ -10,7 +10,7 @@ namespace ew::damaged_files_test {
 namespace {
 using namespace test;
 
-constexpr ReadLimits kSmall{.maxBytes = 1u << 20};
+constexpr ReaderLimits kSmall{.maxBytes = 1u << 20};
 
 Sequence smallSequence() {
   Sequence sequence;

@@ -11,7 +11,7 @@ namespace ew::damaged_imports_test {
 namespace {
 using namespace test;
 
-constexpr ReadLimits kSmall{8u << 20};
+constexpr ReaderLimits kSmall{8u << 20};
 
 std::string smallCine(const char* syntax) {
   CineOf of;
@@ -74,13 +74,13 @@ bool anythingRead(const std::filesystem::path& file) {
                                                            static_cast<std::size_t>(cine->sequence.height) * cine->sequence.frames.size());
   EXPECT_TRUE(!volume || volume->volume.echo.size() == volume->volume.grid.voxelCount());
   EXPECT_TRUE(!beams || beams->volume.echo.size() == beams->volume.grid.voxelCount());
-  bool picture = false;
+  bool image = false;
   if (file.extension() == ".pgm") {
-    const auto pictures = readImageStack(file, stack, noProgress(), kSmall);
-    EXPECT_TRUE(tells(pictures));
-    picture = pictures.has_value();
+    const auto images = readImageStack(file, stack, noProgress(), kSmall);
+    EXPECT_TRUE(tells(images));
+    image = images.has_value();
   }
-  return cine || volume || planes || beams || picture;
+  return cine || volume || planes || beams || image;
 }
 
 TEST(DamagedImports, WholeTheyAreReadAndCutBeforeTheirLastSampleTheyAreRefused) {

@@ -9,7 +9,7 @@
 #include "dicom_files.h"
 #include "ew/io/dicom.h"
 #include "ew/io/image_stack.h"
-#include "packed_pictures.h"
+#include "packed_images.h"
 
 namespace ew::decoder_process_test {
 namespace {
@@ -39,7 +39,7 @@ class ChildrenIgnored {
   void (*before_)(int);
 };
 
-TEST(DecoderProcess, WhoseEndNobodyIsToldOfGivesItsPictureOrAnErrorAndNeverABlackOne) {
+TEST(DecoderProcess, WhoseEndNobodyIsToldOfGivesItsImageOrAnErrorAndNeverABlackOne) {
   const TempFolder folder;
   const auto good = folder.put("good.dcm", cineFile(packedCine(3)));
   const auto bad = folder.put("bad.dcm", cineFile(packedCine(3, 1)));
@@ -106,7 +106,7 @@ TEST(DecoderProcess, IsNotWaitedForAfterTheWishToStop) {
   StackOptions options;
   options.spacing_mm = glm::dvec3(1.0);
   EXPECT_TRUE(readImageStack(folder.path(), options));
-  // Asked once before the picture; every later question comes while its decoder is at work.
+  // Asked once before the image; every later question comes while its decoder is at work.
   StopAfter atOnce(0);
   EXPECT_TRUE(failedWith(readImageStack(folder.path(), options, atOnce), ErrorCode::cancelled));
   StopAfter meanwhile(1);

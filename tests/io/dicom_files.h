@@ -41,13 +41,13 @@ class DicomWriter {
     out_ += all;
     return *this;
   }
-  /// Packed pictures, one fragment each, with an empty offset table.
-  DicomWriter& fragments(const std::vector<std::string>& pictures) {
+  /// Packed images, one fragment each, with an empty offset table.
+  DicomWriter& fragments(const std::vector<std::string>& images) {
     head(0x7FE00010u, "OB", 0xFFFFFFFFu);
     out_ += marker(0xFFFEE000u) + bytes(std::uint32_t{0});
-    for (std::string picture : pictures) {
-      if (picture.size() % 2 != 0) picture += '\0';
-      out_ += marker(0xFFFEE000u) + bytes(static_cast<std::uint32_t>(picture.size())) + picture;
+    for (std::string image : images) {
+      if (image.size() % 2 != 0) image += '\0';
+      out_ += marker(0xFFFEE000u) + bytes(static_cast<std::uint32_t>(image.size())) + image;
     }
     out_ += marker(0xFFFEE0DDu) + bytes(std::uint32_t{0});
     return *this;

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "dicom_files.h"
-#include "packed_pictures.h"
+#include "packed_images.h"
 #include "recordings.h"
 
 namespace ew::dicom_test {
@@ -30,7 +30,7 @@ CineOf greyCine() {
 
 class DicomSyntax : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(DicomSyntax, UncompressedPicturesComeThroughUnchanged) {
+TEST_P(DicomSyntax, UncompressedImagesComeThroughUnchanged) {
   const TempFolder folder;
   CineOf of = greyCine();
   of.syntax = GetParam();
@@ -248,7 +248,7 @@ TEST(DicomCine, OfSeveralRegionsOneIsAskedFor) {
   const auto file = folder.put("a.dcm", cineFile(of));
   const auto asked = readDicomCine(file);
   EXPECT_TRUE(failedWith(asked, ErrorCode::missingCalibration));
-  EXPECT_TRUE(says(asked, "2 calibrated pictures"));
+  EXPECT_TRUE(says(asked, "2 calibrated images"));
   const auto second = readDicomCine(file, {.region = 2, .pixel_mm = {}, .colour = ColourRule::ask, .blank = {}, .keepText = false});
   ASSERT_TRUE(succeeded(second));
   EXPECT_EQ(second->sequence.width, 4);
@@ -369,7 +369,7 @@ TEST(DicomCine, PromisesTheFileCannotKeepAreRefusedBeforeMemoryIsTaken) {
   of.syntax = "1.2.840.10008.1.2.4.100";
   EXPECT_TRUE(failedWith(readDicomCine(folder.put("a.dcm", cineFile(of))), ErrorCode::unsupported));
   EXPECT_TRUE(
-      failedWith(readDicomCine(folder.put("t.dcm", "a text, not a picture, but long enough to be looked at")), ErrorCode::badHeader));
+      failedWith(readDicomCine(folder.put("t.dcm", "a text, not an image, but long enough to be looked at")), ErrorCode::badHeader));
 }
 
 TEST(DicomCine, AStreamThatStopsTheDecoderCostsTheFrameAndNotTheProgram) {
@@ -530,24 +530,24 @@ TEST_F(RealDicom, TheHalvedCineIsRefusedForItsStaleRegionAndReadWhenThePixelIsGi
   EXPECT_GT(std::count_if(cine->sequence.pixels.begin(), cine->sequence.pixels.end(), [](std::uint8_t v) { return v > 40; }), 100000);
 }
 
-TEST_F(RealDicom, TheAlokaStillOffersItsTwoPicturesByNumber) {
+TEST_F(RealDicom, TheAlokaStillOffersItsTwoImagesByNumber) {
   const auto file = data / "gdcm-US-ALOKA-16.dcm";
   const auto summary = inspectDicom(file);
   ASSERT_TRUE(succeeded(summary));
   EXPECT_EQ(summary->photometric, "PALETTE COLOR");
   ASSERT_EQ(summary->regions.size(), 3u);
-  EXPECT_TRUE(says(readDicomCine(file), "2 calibrated pictures"));
+  EXPECT_TRUE(says(readDicomCine(file), "2 calibrated images"));
   CineOptions options;
   for (std::size_t n = 0; n < 3; ++n)
     if (summary->regions[n].usable() && summary->regions[n].isBMode()) {
       options.region = static_cast<int>(n) + 1;
       options.colour = ColourRule::keepGrey;
-      const auto picture = readDicomCine(file, options);
-      ASSERT_TRUE(succeeded(picture));
-      EXPECT_EQ(picture->sequence.width, summary->regions[n].rect.width);
-      // The height of the region is the depth that the picture's description gives.
-      EXPECT_GT(picture->pixel_mm.y * picture->sequence.height, 100.0);
-      EXPECT_LT(picture->pixel_mm.y * picture->sequence.height, 180.0);
+      const auto image = readDicomCine(file, options);
+      ASSERT_TRUE(succeeded(image));
+      EXPECT_EQ(image->sequence.width, summary->regions[n].rect.width);
+      // The height of the region is the depth that the image's description gives.
+      EXPECT_GT(image->pixel_mm.y * image->sequence.height, 100.0);
+      EXPECT_LT(image->pixel_mm.y * image->sequence.height, 180.0);
     }
 }
 

@@ -13,37 +13,37 @@
 #include "ew/io/orientation.h"
 #include "files.h"
 #include "made_films.h"
-#include "packed_pictures.h"
+#include "packed_images.h"
 
 namespace ew::test::film_test {
 namespace {
 namespace fs = std::filesystem;
 
-/// No turn and no mirror leaves this picture as it is.
+/// No turn and no mirror leaves this image as it is.
 std::uint8_t uneven(int x, int y) { return static_cast<std::uint8_t>(20 + 3 * x + 5 * y); }
 
-GreyImage unevenPicture(int width, int height) {
-  GreyImage picture(width, height);
+GreyImage unevenImage(int width, int height) {
+  GreyImage image(width, height);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) viewOf(picture).at(x, y) = uneven(x, y);
-  return picture;
+    for (int x = 0; x < width; ++x) viewOf(image).at(x, y) = uneven(x, y);
+  return image;
 }
 
-GreyImage turnedClockwise(const GreyImage& picture) {
-  GreyImage turned(picture.height, picture.width);
+GreyImage turnedClockwise(const GreyImage& image) {
+  GreyImage turned(image.height, image.width);
   for (int y = 0; y < turned.height; ++y)
-    for (int x = 0; x < turned.width; ++x) viewOf(turned).at(x, y) = viewOf(picture).at(y, picture.height - 1 - x);
+    for (int x = 0; x < turned.width; ++x) viewOf(turned).at(x, y) = viewOf(image).at(y, image.height - 1 - x);
   return turned;
 }
-GreyImage mirrored(const GreyImage& picture) {
-  GreyImage other = picture;
-  for (int y = 0; y < picture.height; ++y) std::reverse(viewOf(other).row(y), viewOf(other).row(y) + picture.width);
+GreyImage mirrored(const GreyImage& image) {
+  GreyImage other = image;
+  for (int y = 0; y < image.height; ++y) std::reverse(viewOf(other).row(y), viewOf(other).row(y) + image.width);
   return other;
 }
 /// One step after the other: what turning and mirroring mean.
-GreyImage upright(GreyImage picture, const Orientation& orientation) {
-  for (int n = 0; n < orientation.quarterTurns; ++n) picture = turnedClockwise(picture);
-  return orientation.mirrored ? mirrored(picture) : picture;
+GreyImage upright(GreyImage image, const Orientation& orientation) {
+  for (int n = 0; n < orientation.quarterTurns; ++n) image = turnedClockwise(image);
+  return orientation.mirrored ? mirrored(image) : image;
 }
 
 constexpr std::array kAll{Orientation{0, false}, Orientation{0, true},  Orientation{2, false}, Orientation{2, true},
@@ -67,23 +67,23 @@ std::string little(std::size_t value, int bytes) {
 }
 
 /// A grey TIFF of one page. @param more entries (12 bytes each) with tags above 279
-std::string tiffOf(const GreyImage& picture, int orientation) {
+std::string tiffOf(const GreyImage& image, int orientation) {
   std::string file = "II" + little(42, 2) + little(8, 4) + little(10, 2);
-  const std::size_t data = 8 + 2 + 10 * 12 + 4, pixels = picture.pixels.size();
+  const std::size_t data = 8 + 2 + 10 * 12 + 4, pixels = image.pixels.size();
   const auto entry = [&](int tag, int type, std::size_t value) {
     file += little(static_cast<std::size_t>(tag), 2) + little(static_cast<std::size_t>(type), 2) + little(1, 4) + little(value, 4);
   };
-  entry(256, 3, static_cast<std::size_t>(picture.width));
-  entry(257, 3, static_cast<std::size_t>(picture.height));
+  entry(256, 3, static_cast<std::size_t>(image.width));
+  entry(257, 3, static_cast<std::size_t>(image.height));
   entry(258, 3, 8);
   entry(259, 3, 1);
   entry(262, 3, 1);
   entry(273, 4, data);
   entry(274, 3, static_cast<std::size_t>(orientation));
   entry(277, 3, 1);
-  entry(278, 3, static_cast<std::size_t>(picture.height));
+  entry(278, 3, static_cast<std::size_t>(image.height));
   entry(279, 4, pixels);
-  return file + little(0, 4) + std::string(picture.pixels.begin(), picture.pixels.end());
+  return file + little(0, 4) + std::string(image.pixels.begin(), image.pixels.end());
 }
 
 /// A JPEG with Exif data of one entry between its start and the rest.
@@ -104,14 +104,14 @@ std::string withExif(const std::string& jpeg, int orientation, bool isBig) {
 }
 
 TEST(Orientations, FollowOneAnotherAndAreReadFromTags) {
-  const GreyImage picture = unevenPicture(7, 4);
+  const GreyImage image = unevenImage(7, 4);
   for (std::size_t tag = 1; tag <= 8; ++tag) {
     EXPECT_EQ(orientationOfTag(static_cast<int>(tag)), kAll[tag - 1]);
     std::vector<std::uint8_t> pixels;
-    putUpright(picture.pixels, 7, 4, kAll[tag - 1], pixels);
-    EXPECT_EQ(pixels, upright(picture, kAll[tag - 1]).pixels) << tag;
+    putUpright(image.pixels, 7, 4, kAll[tag - 1], pixels);
+    EXPECT_EQ(pixels, upright(image, kAll[tag - 1]).pixels) << tag;
     for (const Orientation& second : kAll)
-      EXPECT_EQ(upright(upright(picture, kAll[tag - 1]), second), upright(picture, then(kAll[tag - 1], second))) << tag;
+      EXPECT_EQ(upright(upright(image, kAll[tag - 1]), second), upright(image, then(kAll[tag - 1], second))) << tag;
   }
   EXPECT_FALSE(orientationOfTag(0));
   EXPECT_FALSE(orientationOfTag(9));
@@ -130,27 +130,27 @@ TEST(Films, AreGivenUprightAsTheMatrixOfTheirTrackSays) {
     film.level = [](int, int x, int y) { return uneven(x, y); };
     writeFilm(folder / "film.mov", film);
     auto reader = CineReader::open(folder / "film.mov");
-    EXPECT_EQ(firstOf(reader), upright(unevenPicture(40, 16), kAll[n])) << n;
+    EXPECT_EQ(firstOf(reader), upright(unevenImage(40, 16), kAll[n])) << n;
     EXPECT_EQ(reader->info().orientation, kAll[n]) << n;
     EXPECT_EQ(reader->info().notes.size(), n == 0 ? 0u : 1u) << "what was done is said";
     ASSERT_TRUE(reader->rewind());
-    EXPECT_EQ(firstOf(reader), upright(unevenPicture(40, 16), kAll[n])) << "again " << n;
+    EXPECT_EQ(firstOf(reader), upright(unevenImage(40, 16), kAll[n])) << "again " << n;
     auto asked = CineReader::open(folder / "film.mov", noProgress(), {}, {1, true});
-    EXPECT_EQ(firstOf(asked), upright(unevenPicture(40, 16), then(kAll[n], {1, true}))) << n;
+    EXPECT_EQ(firstOf(asked), upright(unevenImage(40, 16), then(kAll[n], {1, true}))) << n;
   }
 }
 
 TEST(Films, PagesOfATiffAreUprightAsItsTagSays) {
   const TempFolder folder;
   for (int tag = 1; tag <= 8; ++tag) {
-    auto reader = CineReader::open(folder.put("page.tif", tiffOf(unevenPicture(24, 10), tag)));
-    EXPECT_EQ(firstOf(reader), upright(unevenPicture(24, 10), kAll[static_cast<std::size_t>(tag) - 1])) << tag;
+    auto reader = CineReader::open(folder.put("page.tif", tiffOf(unevenImage(24, 10), tag)));
+    EXPECT_EQ(firstOf(reader), upright(unevenImage(24, 10), kAll[static_cast<std::size_t>(tag) - 1])) << tag;
   }
 }
 
 TEST(Films, APhotographIsUprightAsItsExifDataSay) {
   const TempFolder folder;
-  const GreyImage stored = unevenPicture(24, 16);
+  const GreyImage stored = unevenImage(24, 16);
   const std::string jpeg = packedBy<gdcm::JPEGCodec>({stored.pixels.begin(), stored.pixels.end()}, 24, 16, 1, 8, false);
   const auto plain = readFirstOfStack(folder.put("plain.jpg", jpeg));
   ASSERT_TRUE(plain) << plain.error();
@@ -158,17 +158,17 @@ TEST(Films, APhotographIsUprightAsItsExifDataSay) {
     for (const bool isBig : {false, true}) {
       const GreyImage expected = upright(plain->level, kAll[static_cast<std::size_t>(tag) - 1]);
       const auto file = folder.put("photo.jpg", withExif(jpeg, tag, isBig));
-      const auto picture = readFirstOfStack(file);
-      ASSERT_TRUE(picture) << picture.error();
-      EXPECT_EQ(picture->level, expected) << tag;
+      const auto image = readFirstOfStack(file);
+      ASSERT_TRUE(image) << image.error();
+      EXPECT_EQ(image->level, expected) << tag;
       auto reader = CineReader::open(file);
       EXPECT_EQ(firstOf(reader), expected) << tag;
     }
-  // Whatever stands there, it is no fault of the picture.
+  // Whatever stands there, it is no fault of the image.
   const std::string exif = withExif(jpeg, 6, false);
   for (std::size_t cut = 2; cut < 38; ++cut) {
     const std::string bytes = exif.substr(0, cut);
-    EXPECT_TRUE(orientationOfPicture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}).isUpright()) << cut;
+    EXPECT_TRUE(orientationOfImage({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}).isUpright()) << cut;
   }
 }
 
@@ -184,15 +184,15 @@ TEST(Films, PixelsThatAreNotSquareBecomeSquare) {
     film.level = [](int, int x, int y) { return static_cast<std::uint8_t>(x >= 30 && x < 60 && y >= 20 && y < 40 ? 200 : 20); };
     writeFilm(folder / "film.mkv", film);
     auto reader = CineReader::open(folder / "film.mkv");
-    const GreyImage picture = firstOf(reader);
-    EXPECT_EQ(picture.width, width);
-    EXPECT_EQ(picture.height, height);
+    const GreyImage image = firstOf(reader);
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
     EXPECT_EQ(reader->info().notes.empty(), aspect.num == aspect.den);
     // A third of the width and a third of the height, whatever they are.
-    const auto bright = std::count_if(picture.pixels.begin(), picture.pixels.end(), [](std::uint8_t level) { return level > 110; });
+    const auto bright = std::count_if(image.pixels.begin(), image.pixels.end(), [](std::uint8_t level) { return level > 110; });
     EXPECT_NEAR(static_cast<double>(bright), width * height / 9.0, width + height) << aspect.num;
-    EXPECT_GT(viewOf(picture).at(width / 2, height / 2), 195);
-    EXPECT_LT(viewOf(picture).at(width / 3 - 2, height / 2), 25);
+    EXPECT_GT(viewOf(image).at(width / 2, height / 2), 195);
+    EXPECT_LT(viewOf(image).at(width / 3 - 2, height / 2), 25);
   }
 }
 
@@ -205,11 +205,11 @@ TEST(Films, LevelsAreThoseThatAreStored) {
       film.level = [](int, int x, int) { return static_cast<std::uint8_t>(x / 16 * 16); };
       writeFilm(folder / "film.mkv", film);
       auto reader = CineReader::open(folder / "film.mkv");
-      const GreyImage picture = firstOf(reader);
+      const GreyImage image = firstOf(reader);
       for (int x = 8; x < 256; x += 16) {
         const double stored = x / 16 * 16;
         const double expected = isFull ? stored : std::clamp((stored - 16.0) * 255.0 / 219.0, 0.0, 255.0);
-        EXPECT_NEAR(viewOf(picture).at(x, 32), expected, codec == AV_CODEC_ID_FFV1 ? 1.0 : 4.0) << codec << isFull;
+        EXPECT_NEAR(viewOf(image).at(x, 32), expected, codec == AV_CODEC_ID_FFV1 ? 1.0 : 4.0) << codec << isFull;
       }
     }
   }
@@ -252,7 +252,7 @@ TEST(Films, AFilmOfVaryingRateIsWholeWhenItsLastTimeIsReached) {
   EXPECT_NE(half->brokenOff()->sentence().find(std::to_string(given) + " frames"), std::string::npos) << half->brokenOff()->sentence();
 }
 
-/// Pictures that come before the end of what is there of a film.
+/// Images that come before the end of what is there of a film.
 std::size_t countOf(CineReader& reader) {
   CineFrame frame;
   std::size_t count = 0;
@@ -264,7 +264,7 @@ std::size_t countOf(CineReader& reader) {
   }
 }
 
-TEST(Films, ThatAreShortAndMissPicturesSayHowManyWereRead) {
+TEST(Films, ThatAreShortAndMissImagesSayHowManyWereRead) {
   const TempFolder folder;
   FilmOf film;
   film.times_s.clear();
@@ -285,7 +285,7 @@ TEST(Films, ThatAreShortAndMissPicturesSayHowManyWereRead) {
   EXPECT_NE(half->brokenOff()->sentence().find(std::to_string(given) + " frames"), std::string::npos) << half->brokenOff()->sentence();
 }
 
-/// Of a MOV whose pictures are of different lengths: one sample loses its bytes to the next.
+/// Of a MOV whose images are of different lengths: one sample loses its bytes to the next.
 std::string withoutSample(std::string mov, std::size_t sample) {
   const std::size_t table = mov.find("stsz") + 16;  // behind type, version, size and count
   const auto lengthAt = [&](std::size_t n) {
@@ -323,7 +323,7 @@ TEST(Films, AFrameThatWasDroppedInRecordingIsNoDamage) {
 }
 
 TEST(Films, BeginAtZeroWhereTheFirstFrameHasNoTime) {
-  // A bare MPEG-2 stream whose first picture has no time.
+  // A bare MPEG-2 stream whose first image has no time.
   constexpr auto kStream = std::to_array<unsigned char>(
       {0x00, 0x00, 0x01, 0xb3, 0x01, 0x00, 0x10, 0x23, 0xff, 0xff, 0xe1, 0x18, 0x00, 0x00, 0x01, 0xb5, 0x14, 0x8a, 0x00, 0x01, 0x00,
        0x00, 0x00, 0x00, 0x01, 0xb8, 0x00, 0x08, 0x00, 0x40, 0x00, 0x00, 0x01, 0x00, 0x00, 0x0f, 0xff, 0xf8, 0x00, 0x00, 0x01, 0xb5,
@@ -357,7 +357,7 @@ TEST(Films, AnotherOneUnderTheSameNameIsNotReadOn) {
   writeFilm(file, {});
   const std::string bytes = bytesOfFile(file);
   auto reader = CineReader::open(file);
-  const GreyImage picture = firstOf(reader);
+  const GreyImage image = firstOf(reader);
   FilmOf longer;
   longer.times_s.push_back(1.0);
   for (const FilmOf& other : {FilmOf{.width = 512, .height = 384}, FilmOf{.width = 32, .height = 24}, FilmOf{.aspect = {4, 3}}, longer}) {
@@ -373,7 +373,7 @@ TEST(Films, AnotherOneUnderTheSameNameIsNotReadOn) {
   EXPECT_TRUE(failedWith(reader->next(frame), ErrorCode::notReadable));
   static_cast<void>(folder.put("film.mkv", bytes));
   EXPECT_TRUE(succeeded(reader->rewind())) << "it is the one that was opened";
-  EXPECT_EQ(firstOf(reader), picture);
+  EXPECT_EQ(firstOf(reader), image);
 }
 
 CineOf filmInDicom(const std::string& syntax, const std::string& film, int frames) {
@@ -444,7 +444,7 @@ TEST(FilmsInDicom, PixelsAreAsTheStreamSaysWhereTheDataSetSaysNothing) {
   cine.regions.clear();
   auto reader = CineReader::open(folder.put("film.dcm", cineFile(cine)));
   ASSERT_TRUE(reader) << reader.error();
-  // MPEG-2 states the shape of the whole picture, of which it knows 4:3, 16:9 and 2.21:1.
+  // MPEG-2 states the shape of the whole image, of which it knows 4:3, 16:9 and 2.21:1.
   EXPECT_EQ(reader->info().width_px, 96);
   EXPECT_EQ(reader->info().height_px, 72);
 }
@@ -497,11 +497,11 @@ TEST(Films, OfATrackerAreKnownByTheirContentToo) {
 TEST(Clips, PlayInBrowsersAndKeepOddSizes) {
   const TempFolder folder;
   for (const char* name : {"odd.mp4", "odd.avi"}) {
-    RgbImage picture(33, 25, Rgb(60));
-    for (int y = 0; y < 25; ++y) viewOf(picture).at(31, y) = viewOf(picture).at(32, y) = Rgb(230);
+    RgbImage image(33, 25, Rgb(60));
+    for (int y = 0; y < 25; ++y) viewOf(image).at(31, y) = viewOf(image).at(32, y) = Rgb(230);
     auto clip = ClipWriter::open(folder / name, 33, 25, 20.0);
     ASSERT_TRUE(clip) << clip.error();
-    for (int n = 0; n < 4; ++n) ASSERT_TRUE(clip->add(picture));
+    for (int n = 0; n < 4; ++n) ASSERT_TRUE(clip->add(image));
     ASSERT_TRUE(clip->finish());
     auto reader = CineReader::open(folder / name);
     const GreyImage read = firstOf(reader);
@@ -536,15 +536,15 @@ class FullDisk {
   void (*handler_)(int);
 };
 
-/// Ten pictures of noise.
+/// Ten images of noise.
 Result<void> writeNoise(const fs::path& file) {
   auto clip = ClipWriter::open(file, 64, 48, 20.0);
   if (!clip) return passOn(clip.error());
   std::uint32_t random = 1;
   for (int n = 0; n < 10; ++n) {
-    RgbImage picture(64, 48);
-    for (Rgb& pixel : picture.pixels) pixel = Rgb(static_cast<std::uint8_t>((random = random * 1664525u + 1013904223u) >> 24));
-    if (auto added = clip->add(picture); !added) return added;
+    RgbImage image(64, 48);
+    for (Rgb& pixel : image.pixels) pixel = Rgb(static_cast<std::uint8_t>((random = random * 1664525u + 1013904223u) >> 24));
+    if (auto added = clip->add(image); !added) return added;
   }
   return clip->finish();
 }

@@ -55,17 +55,17 @@ TEST(ForeignDicom, PixelsAsHighAsWideAreNotOneTimesSo) {
   EXPECT_TRUE(says(asked("3\\2"), "they are 1.5 times as high as wide"));
 }
 
-TEST(ForeignDicom, HowSeveralPicturesLieIsSaidAsItIs) {
+TEST(ForeignDicom, HowSeveralImagesLieIsSaidAsItIs) {
   const TempFolder folder;
   const auto asked = [&](const RegionOf& first, const RegionOf& second) {
     CineOf of = smallCine();
     of.regions = {first, second};
     return readDicomCine(folder.put("a.dcm", cineFile(of)));
   };
-  EXPECT_TRUE(says(asked({0, 0, 3, 5}, {4, 0, 7, 5, 0.05, 0.05}), "2 calibrated pictures side by side"));
-  EXPECT_TRUE(says(asked({0, 0, 7, 5}, {2, 1, 5, 4, 0.05, 0.05}), "2 calibrated pictures one inside the other"));
-  EXPECT_TRUE(says(asked({0, 0, 7, 2}, {0, 3, 7, 5, 0.05, 0.05}), "2 calibrated pictures one above the other"));
-  EXPECT_TRUE(says(asked({0, 0, 4, 5}, {3, 0, 7, 5, 0.05, 0.05}), "2 calibrated pictures that overlap"));
+  EXPECT_TRUE(says(asked({0, 0, 3, 5}, {4, 0, 7, 5, 0.05, 0.05}), "2 calibrated images side by side"));
+  EXPECT_TRUE(says(asked({0, 0, 7, 5}, {2, 1, 5, 4, 0.05, 0.05}), "2 calibrated images one inside the other"));
+  EXPECT_TRUE(says(asked({0, 0, 7, 2}, {0, 3, 7, 5, 0.05, 0.05}), "2 calibrated images one above the other"));
+  EXPECT_TRUE(says(asked({0, 0, 4, 5}, {3, 0, 7, 5, 0.05, 0.05}), "2 calibrated images that overlap"));
 }
 
 TEST(ForeignDicom, AnAspectRatioIsNeverLostInSilence) {
@@ -270,7 +270,7 @@ TEST(ForeignDicom, ARecordedScreenTakesTheScaleThatAnImportTakes) {
 TEST(ForeignDicom, ATraceIsNamedAsNoScaleWhereItStandsAlone) {
   const TempFolder folder;
   CineOf cine = smallCine();
-  const std::string sentence = "Region 1: M-mode, 8 x 6 pixels at (0, 0) (it is no two-dimensional picture) was not used for the scale.";
+  const std::string sentence = "Region 1: M-mode, 8 x 6 pixels at (0, 0) (it is no two-dimensional image) was not used for the scale.";
   const RegionOf trace{.units = 4, .format = 2}, scan;
   const auto saysSo = [&](const std::vector<RegionOf>& regions) {
     cine.regions = regions;

@@ -4,7 +4,7 @@
 #include "ew/io/cine_reader.h"
 #include "ew/io/dicom.h"
 #include "ew/io/dicom_stack.h"
-#include "packed_pictures.h"
+#include "packed_images.h"
 
 // DICOM as devices and gateways store it: lengths that contradict the header, numbers that are there and empty, bytes behind the data.
 
@@ -75,7 +75,7 @@ TEST(ForeignDicom, ColoursAreThinnedByTheLengthOfTheDataAndNotByTheirName) {
   EXPECT_EQ(other->colouredShare, 0.0);
 }
 
-TEST(ForeignDicom, PicturesBeyondTheNamedNumberAreTold) {
+TEST(ForeignDicom, ImagesBeyondTheNamedNumberAreTold) {
   const TempFolder folder;
   CineOf cine = smallCine();
   cine.frames = 2;
@@ -111,7 +111,7 @@ TEST(ForeignDicom, BytesBehindThePixelsCostNothing) {
   EXPECT_TRUE(failedWith(readDicomCine(folder.put("b.dcm", good.substr(0, good.size() - 4))), ErrorCode::truncated));
 }
 
-TEST(ForeignDicom, PackedPicturesMayEndWithoutTheirMark) {
+TEST(ForeignDicom, PackedImagesMayEndWithoutTheirMark) {
   const TempFolder folder;
   CineOf cine;
   cine.syntax = kRle;
@@ -149,7 +149,7 @@ TEST(ForeignDicom, AMissingByteOfPaddingAtTheEndCostsNothing) {
   EXPECT_TRUE(failedWith(readDicomCine(folder.put("d.dcm", even.substr(0, even.size() - 1))), ErrorCode::truncated)) << "it is a sample";
 }
 
-TEST(ForeignDicom, AMissingByteOfPaddingOfTheLastPackedPictureCostsNothing) {
+TEST(ForeignDicom, AMissingByteOfPaddingOfTheLastPackedImageCostsNothing) {
   const TempFolder folder;
   CineOf rle;
   rle.syntax = kRle;
@@ -223,8 +223,8 @@ TEST(ForeignDicom, SamplesAndTextsThatBeginWithSmallNumbersAreNoDataSet) {
     EXPECT_FALSE(isDicom(folder.put("x.bin", bytes))) << bytes.size();
 }
 
-/// The packed pictures of a file cut into fragments, with an offset table or without.
-std::string inFragments(const CineOf& cine, const std::vector<std::vector<std::string>>& pictures, bool withTable) {
+/// The packed images of a file cut into fragments, with an offset table or without.
+std::string inFragments(const CineOf& cine, const std::vector<std::vector<std::string>>& images, bool withTable) {
   CineOf one = cine;
   one.packed = {"x"};
   std::string file = cineFile(one);
@@ -235,15 +235,15 @@ std::string inFragments(const CineOf& cine, const std::vector<std::vector<std::s
            value;
   };
   std::string table, all;
-  for (const auto& picture : pictures) {
+  for (const auto& image : images) {
     table += bytes.bytes(static_cast<std::uint32_t>(all.size()));
-    for (const std::string& part : picture) all += item(part);
+    for (const std::string& part : image) all += item(part);
   }
   return file + item(withTable ? table : std::string()) + all + bytes.bytes(std::uint16_t{0xFFFE}) + bytes.bytes(std::uint16_t{0xE0DD}) +
          bytes.bytes(std::uint32_t{0});
 }
 
-TEST(ForeignDicom, PicturesInSeveralFragmentsAreWholeWithAndWithoutAnOffsetTable) {
+TEST(ForeignDicom, ImagesInSeveralFragmentsAreWholeWithAndWithoutAnOffsetTable) {
   const TempFolder folder;
   CineOf cine;
   cine.syntax = kJpegLs;
@@ -251,7 +251,7 @@ TEST(ForeignDicom, PicturesInSeveralFragmentsAreWholeWithAndWithoutAnOffsetTable
   cine.rows = 32;
   cine.frames = 2;
   cine.regions = {{0, 0, 39, 31}};
-  std::vector<std::vector<std::string>> pictures;
+  std::vector<std::vector<std::string>> images;
   std::string expected;
   for (int n = 0; n < 2; ++n) {
     std::string grey;
@@ -260,18 +260,18 @@ TEST(ForeignDicom, PicturesInSeveralFragmentsAreWholeWithAndWithoutAnOffsetTable
     std::string packed = packedBy<gdcm::JPEGLSCodec>(grey, 40, 32, 1, 8);
     if (packed.size() % 2 != 0) packed += '\0';
     const std::size_t third = packed.size() / 3 / 2 * 2;
-    pictures.push_back({packed.substr(0, third), packed.substr(third, third), packed.substr(2 * third)});
+    images.push_back({packed.substr(0, third), packed.substr(third, third), packed.substr(2 * third)});
   }
   for (const bool withTable : {false, true}) {
-    const auto read = readDicomCine(folder.put("a.dcm", inFragments(cine, pictures, withTable)));
+    const auto read = readDicomCine(folder.put("a.dcm", inFragments(cine, images, withTable)));
     ASSERT_TRUE(succeeded(read)) << withTable;
     EXPECT_EQ(read->sequence.pixels, std::vector<std::uint8_t>(expected.begin(), expected.end()));
   }
-  cine.frames = 1;  // the second picture is behind what the header promises
-  const auto first = readDicomCine(folder.put("b.dcm", inFragments(cine, pictures, true)));
+  cine.frames = 1;  // the second image is behind what the header promises
+  const auto first = readDicomCine(folder.put("b.dcm", inFragments(cine, images, true)));
   ASSERT_TRUE(succeeded(first));
   EXPECT_EQ(first->sequence.pixels, std::vector<std::uint8_t>(expected.begin(), expected.begin() + 40 * 32));
-  EXPECT_TRUE(contains(first->notes, "1 frame, but 2 pictures are stored"));
+  EXPECT_TRUE(contains(first->notes, "1 frame, but 2 images are stored"));
 }
 
 TEST(ForeignDicom, NumbersThatAreThereAndEmptyFollowFromTheRest) {
@@ -327,7 +327,7 @@ TEST(DicomStack, StillsAreJoinedByTheirPositionsWhateverTheirNames) {
   static_cast<void>(folder.put("c", stillAt(1.0, 10)));
   static_cast<void>(folder.put("a.dcm", stillAt(3.0, 30)));
   static_cast<void>(folder.put("b", stillAt(2.0, 20)));
-  static_cast<void>(folder.put("notes.txt", "no picture"));
+  static_cast<void>(folder.put("notes.txt", "no image"));
   EXPECT_EQ(dicomFilesIn(folder.path()).size(), 3u);
   const auto read = readDicomStack(folder.path());
   ASSERT_TRUE(succeeded(read));
@@ -362,7 +362,7 @@ TEST(DicomStack, AStillThatIsMissingIsNotMadeUpUnasked) {
   }
   static_cast<void>(folder.put("i3.dcm", stillAt(3, 30)));
   static_cast<void>(folder.put("empty", ""));
-  static_cast<void>(folder.put("notes.txt", "no picture"));
+  static_cast<void>(folder.put("notes.txt", "no image"));
   const auto whole = readDicomStack(folder.path());
   ASSERT_TRUE(succeeded(whole)) << "at an end, or beside it, nothing is missed";
   EXPECT_TRUE(contains(whole->notes, "because they hold no DICOM data: \"empty\"."));

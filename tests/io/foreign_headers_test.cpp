@@ -128,7 +128,7 @@ TEST(ForeignDeviceSet, WhatIsNotUsedIsToldAndWhatIsNeutralIsNot) {
   EXPECT_TRUE(
       contains(named.notes, "OutputOrigin \"1 2 3\", OutputExtent \"0 9 0 9 0 9\", which touches sizes and places and is not used"));
   EXPECT_TRUE(contains(named.notes, "PixelRejectionThreshold \"20\", which touches the grey levels"));
-  EXPECT_TRUE(contains(named.notes, "SkipInterval \"2\", which touches how many pictures"));
+  EXPECT_TRUE(contains(named.notes, "SkipInterval \"2\", which touches how many images"));
   EXPECT_TRUE(contains(named.notes, "Wobble \"4\", which is not known here"));
   EXPECT_TRUE(setWith("OutputOrigin=\"0 0 0\" OutputExtent=\" \" NumberOfThreads=\"4\" Optimization=\"FULL\" FillHoles=\"ON\" "
                       "ImageCoordinateFrame=\"Image\" ReferenceCoordinateFrame=\"Tracker\"")
@@ -166,7 +166,7 @@ Sequence trackedFrames() {
   for (int n = 0; n < 3; ++n) {
     SequenceFrame frame;
     frame.imageStatus = PoseStatus::ok;
-    NamedTransform probe{"Probe", "Tracker", glm::dmat4(1.0), PoseStatus::ok};
+    FrameTransform probe{"Probe", "Tracker", glm::dmat4(1.0), PoseStatus::ok};
     probe.matrix[3] = glm::dvec4(10.0, 20.0, 30.0 + n, 1.0);
     frame.transforms = {probe};
     sequence.frames.push_back(frame);
@@ -217,7 +217,7 @@ TEST(ForeignCalibration, PosesThatAreMarkedValidAndAreNoneAreNamed) {
   EXPECT_TRUE(says(poses, "rows and columns are exchanged"));
 }
 
-Result<LoadedVolume> nrrd(const std::string& header, const std::string& samples = ramp(12), const VolumeReadOptions& options = {}) {
+Result<VolumeReadResult> nrrd(const std::string& header, const std::string& samples = ramp(12), const VolumeReadOptions& options = {}) {
   const TempFolder folder;
   return readVolume(folder.put("a.nrrd", "NRRD0005\ntype: uchar\nencoding: raw\n" + header + "\n" + samples), noProgress(), {}, options);
 }

@@ -12,18 +12,18 @@ namespace ew::image_file_test {
 namespace {
 using namespace test;
 
-RC_GTEST_PROP(ImageFile, EveryPictureComesBackPixelForPixel, ()) {
+RC_GTEST_PROP(ImageFile, EveryImageComesBackPixelForPixel, ()) {
   const TempFolder folder;
-  GreyImage picture(*rc::gen::inRange(1, 40), *rc::gen::inRange(1, 40));
-  picture.pixels = *rc::gen::container<std::vector<std::uint8_t>>(picture.pixels.size(), rc::gen::arbitrary<std::uint8_t>());
+  GreyImage image(*rc::gen::inRange(1, 40), *rc::gen::inRange(1, 40));
+  image.pixels = *rc::gen::container<std::vector<std::uint8_t>>(image.pixels.size(), rc::gen::arbitrary<std::uint8_t>());
   const auto file = folder / (*rc::gen::arbitrary<bool>() ? "p.png" : "p.mha");
-  RC_ASSERT(writeImage(viewOf(picture), 0.5, file).has_value());
+  RC_ASSERT(writeImage(viewOf(image), 0.5, file).has_value());
   const auto again = readImage(file);
   RC_ASSERT(again.has_value());
-  RC_ASSERT(*again == picture);
+  RC_ASSERT(*again == image);
 }
 
-TEST(ImageFile, AWindowIntoALargerPictureIsWrittenAlone) {
+TEST(ImageFile, AWindowIntoALargerImageIsWrittenAlone) {
   const TempFolder folder;
   GreyImage whole(5, 4);
   for (std::size_t i = 0; i < whole.pixels.size(); ++i) whole.pixels[i] = static_cast<std::uint8_t>(i);
@@ -82,9 +82,9 @@ TEST(ImageFile, StoredNumbersAreEchoLevelsWhateverAScreenWouldMakeOfThem) {
   for (const char* chunk : {"", "gAMA", "sRGB"}) {
     for (const auto& [levels, bits] : {std::pair{eight, 8}, std::pair{sixteen, 16}}) {
       const auto file = folder.put("p.png", pngOf(levels, bits, chunk));
-      const auto picture = readImage(file);
-      ASSERT_TRUE(succeeded(picture)) << chunk << bits;
-      EXPECT_EQ(picture->pixels, expected) << chunk << " " << bits;
+      const auto image = readImage(file);
+      ASSERT_TRUE(succeeded(image)) << chunk << bits;
+      EXPECT_EQ(image->pixels, expected) << chunk << " " << bits;
       const auto stack = readImageStack(file, options);
       ASSERT_TRUE(succeeded(stack)) << chunk << bits;
       EXPECT_EQ(stack->volume.echo, expected) << chunk << " " << bits;
@@ -95,7 +95,7 @@ TEST(ImageFile, StoredNumbersAreEchoLevelsWhateverAScreenWouldMakeOfThem) {
 TEST(ImageFile, WrongFilesAreRefusedInOneSentence) {
   const TempFolder folder;
   EXPECT_TRUE(failedWith(readImage(folder / "no.png"), ErrorCode::notFound));
-  EXPECT_TRUE(failedWith(readImage(folder.put("a.png", "no picture")), ErrorCode::badHeader));
+  EXPECT_TRUE(failedWith(readImage(folder.put("a.png", "no image")), ErrorCode::badHeader));
   EXPECT_TRUE(failedWith(writeImage(viewOf(GreyImage(1, 1)), 1.0, folder / "p.bmp"), ErrorCode::unsupported));
   ASSERT_TRUE(succeeded(writeImage(viewOf(GreyImage(40, 40, 9)), 1.0, folder / "p.png")));
   const std::string whole = bytesOfFile(folder / "p.png");

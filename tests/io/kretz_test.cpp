@@ -159,7 +159,7 @@ TEST(Kretz, WhatCannotBeReadIsRefusedByName) {
   EXPECT_TRUE(failedWith(readKretz(folder.put("a.vol", kretzFile(axis))), ErrorCode::badField));
   EXPECT_TRUE(
       failedWith(readKretz(folder.put("a.vol", kretzFile(of)), {.spacing_mm = 0.01, .mirrored = false, .timeStep = {}, .threads = 1},
-                           noProgress(), ReadLimits{1u << 20}),
+                           noProgress(), ReaderLimits{1u << 20}),
                  ErrorCode::tooLarge));
   EXPECT_TRUE(failedWith(readKretz(folder.put("t.vol", "no volume")), ErrorCode::badHeader));
   StopAfter stop(3);

@@ -43,7 +43,7 @@ TEST(NrrdVolume, TheNamedSpaceDecidesTheSigns) {
     return readVolume(
         folder.put("a.nrrd", kStart + kPlain + space + "space directions: (2,0,0) (0,2,0) (0,0,2)\nspace origin: (1,2,3)\n\n" + ramp(12)));
   };
-  const auto at = [](const Result<LoadedVolume>& loaded) {
+  const auto at = [](const Result<VolumeReadResult>& loaded) {
     return (loaded->volume.grid.voxelToWorld() * Point<frame::Voxel>{{1, 1, 1}}).at;
   };
   EXPECT_EQ(at(read("space: left-posterior-superior\n")), glm::dvec3(3, 4, 5));

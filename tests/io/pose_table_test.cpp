@@ -38,7 +38,7 @@ TEST(PoseTable, ReadsPlacesAndQuaternions) {
   EXPECT_EQ(read->frames[0].time_s, 0.5);
   EXPECT_EQ(read->frames[1].time_s, 0.75);
   ASSERT_EQ(read->frames[1].transforms.size(), 1u);
-  const NamedTransform& pose = read->frames[1].transforms[0];
+  const FrameTransform& pose = read->frames[1].transforms[0];
   EXPECT_EQ(pose.from, "Probe");
   EXPECT_EQ(pose.to, "Tracker");
   EXPECT_EQ(pose.status, PoseStatus::ok);

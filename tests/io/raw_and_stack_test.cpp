@@ -44,10 +44,10 @@ TEST(RawVolume, SamplesThatStillSwingSayAtOnceWhatTheyAre) {
   EXPECT_FALSE(warned(std::vector<std::int16_t>(400, 7)));
 }
 
-TEST(ImageStack, WhatAPictureStatesAndNobodyUsesIsTold) {
+TEST(ImageStack, WhatAnImageStatesAndNobodyUsesIsTold) {
   const TempFolder folder;
-  const GreyImage picture(4, 3);
-  ASSERT_TRUE(succeeded(writeImage(viewOf(picture), 0.1, folder / "p1.png")));
+  const GreyImage image(4, 3);
+  ASSERT_TRUE(succeeded(writeImage(viewOf(image), 0.1, folder / "p1.png")));
   // Behind the signature and IHDR: 10000 pixels a metre.
   const std::string body("pHYs\0\0\x27\x10\0\0\x27\x10\x01", 13);
   const auto check = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()), 13));
@@ -133,12 +133,12 @@ TEST(RawVolume, ThePreviewShowsTheThreeMiddleSlicesOfTheVolume) {
 TEST(ImageStack, NumbersDecideTheOrderAndTheSpacingIsAskedFor) {
   const TempFolder folder;
   for (const int n : {10, 2, 1}) {
-    GreyImage picture(3, 2, static_cast<std::uint8_t>(n));
-    picture.pixels[5] = 99;
-    ASSERT_TRUE(succeeded(writeImage(viewOf(picture), 1.0, folder / ("slice" + std::to_string(n) + ".png"))));
+    GreyImage image(3, 2, static_cast<std::uint8_t>(n));
+    image.pixels[5] = 99;
+    ASSERT_TRUE(succeeded(writeImage(viewOf(image), 1.0, folder / ("slice" + std::to_string(n) + ".png"))));
   }
   static_cast<void>(folder.put("slice3.pgm", std::string("P5\n3 2\n255\n") + std::string(6, '\3')));
-  static_cast<void>(folder.put("note.txt", "not a picture"));
+  static_cast<void>(folder.put("note.txt", "not an image"));
   const auto asked = readImageStack(folder.path(), {});
   EXPECT_TRUE(failedWith(asked, ErrorCode::missingCalibration));
   StackOptions options;
@@ -157,7 +157,7 @@ TEST(ImageStack, NumbersDecideTheOrderAndTheSpacingIsAskedFor) {
   EXPECT_EQ(readImageStack(folder.path(), options)->volume.echo[5], 0);
 }
 
-TEST(ImageStack, PicturesThatDoNotBelongTogetherAreRefused) {
+TEST(ImageStack, ImagesThatDoNotBelongTogetherAreRefused) {
   const TempFolder folder;
   StackOptions options;
   options.spacing_mm = glm::dvec3(1.0);

@@ -68,13 +68,13 @@ TEST(SafeFile, EveryWriterRefusesAnUnwritablePlace) {
   volume.echo.assign(8, 1);
   Sequence sequence;
   sequence.frames.resize(1);
-  const GreyImage picture(2, 2, 7);
+  const GreyImage image(2, 2, 7);
   EXPECT_TRUE(failedWith(writeVolume(volume, file / "v.mha"), ErrorCode::notWritable));
   EXPECT_TRUE(failedWith(writeVolume(volume, file / "v.mhd"), ErrorCode::notWritable));
   EXPECT_TRUE(failedWith(writeCoverage(volume, file / "v.mha"), ErrorCode::notWritable));
   EXPECT_TRUE(failedWith(writeSequence(sequence, file / "s.igs.mha"), ErrorCode::notWritable));
-  EXPECT_TRUE(failedWith(writeImage(viewOf(picture), 1.0, file / "p.png"), ErrorCode::notWritable));
-  EXPECT_TRUE(failedWith(writeImage(viewOf(picture), 1.0, file / "p.mha"), ErrorCode::notWritable));
+  EXPECT_TRUE(failedWith(writeImage(viewOf(image), 1.0, file / "p.png"), ErrorCode::notWritable));
+  EXPECT_TRUE(failedWith(writeImage(viewOf(image), 1.0, file / "p.mha"), ErrorCode::notWritable));
   EXPECT_EQ(folder.names(), std::vector<std::string>{"a"});
   EXPECT_EQ(bytesOfFile(file), "before");
 }
@@ -139,14 +139,14 @@ TEST(SafeFile, EveryWriterLeavesTheFolderAsItWasOnAFullMedium) {
   sequence.width = sequence.height = 32;
   sequence.frames.resize(32);
   sequence.pixels = volume.echo;
-  const GreyImage picture(256, 256, 7);
+  const GreyImage image(256, 256, 7);
   for (const char* name : {"v.mha", "v.mhd", "v.raw", "s.igs.mha", "p.mha"}) ASSERT_FALSE(folder.put(name, "before").empty());
   {
     const SmallMedium medium(2000);  // room for every header
     EXPECT_TRUE(failedWith(writeVolume(volume, folder / "v.mha"), ErrorCode::notWritable));
     EXPECT_TRUE(failedWith(writeVolume(volume, folder / "v.mhd"), ErrorCode::notWritable));
     EXPECT_TRUE(failedWith(writeSequence(sequence, folder / "s.igs.mha"), ErrorCode::notWritable));
-    EXPECT_TRUE(failedWith(writeImage(viewOf(picture), 1.0, folder / "p.mha"), ErrorCode::notWritable));
+    EXPECT_TRUE(failedWith(writeImage(viewOf(image), 1.0, folder / "p.mha"), ErrorCode::notWritable));
     EXPECT_FALSE(VolumeStream::create(volume.grid, folder / "v.mha"));
   }
   EXPECT_EQ(folder.names().size(), 5u);

@@ -39,7 +39,7 @@ Sequence anySequence() {
     frame.imageStatus = status();
     for (const char* from : {"Probe", "StylusTip", "ToolTop", "Image2"}) {
       if (!*rc::gen::arbitrary<bool>()) continue;
-      NamedTransform transform{from, *rc::gen::element<std::string>("Tracker", "Reference", "2ndTracker"), glm::dmat4(1.0), status()};
+      FrameTransform transform{from, *rc::gen::element<std::string>("Tracker", "Reference", "2ndTracker"), glm::dmat4(1.0), status()};
       for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row) transform.matrix[column][row] = number();
       frame.transforms.push_back(transform);
@@ -96,7 +96,7 @@ TEST(SequenceFile, AGapInTheNumberingIsUnknownAndNotTheFrameBefore) {
   EXPECT_FALSE(read->frames[2].time_s.has_value());
   EXPECT_EQ(read->frames[2].imageStatus, PoseStatus::missing);
   ASSERT_EQ(read->frames[3].transforms.size(), 1u);
-  EXPECT_EQ(read->frames[3].transforms[0], (NamedTransform{"Probe", "Tracker", rowsMatrix(), PoseStatus::ok}));
+  EXPECT_EQ(read->frames[3].transforms[0], (FrameTransform{"Probe", "Tracker", rowsMatrix(), PoseStatus::ok}));
   EXPECT_TRUE(contains(read->notes, "1 of 4 frames"));
 }
 

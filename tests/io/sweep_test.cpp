@@ -60,7 +60,7 @@ TEST(Chain, GoesForwardsAndBackwards) {
 }
 
 TEST(Chain, TakesTheShortestWay) {
-  const std::vector<NamedTransform> all{{"Image", "Probe", moved(1, 0), PoseStatus::ok},
+  const std::vector<FrameTransform> all{{"Image", "Probe", moved(1, 0), PoseStatus::ok},
                                         {"Probe", "Reference", moved(1, 0), PoseStatus::ok},
                                         {"Image", "Reference", moved(9, 0), PoseStatus::ok}};
   EXPECT_EQ(chain(all, "Image", "Reference"), moved(9, 0));
@@ -69,7 +69,7 @@ TEST(Chain, TakesTheShortestWay) {
 RC_GTEST_PROP(Chain, ThereAndBackIsWhereItStarted, ()) {
   // A random tree of frames: between any two of them there is exactly one way.
   const int count = *rc::gen::inRange(2, 12);
-  std::vector<NamedTransform> all;
+  std::vector<FrameTransform> all;
   const auto angle = [] { return *rc::gen::inRange(-300, 300) / 100.0; };
   for (int i = 1; i < count; ++i) {
     const std::string older = "F" + std::to_string(*rc::gen::inRange(0, i));
@@ -98,12 +98,12 @@ TEST(Chain, MatricesThatCannotBeInvertedOrAreNotFiniteAreNoWay) {
   glm::dmat4 broken(1.0);
   broken[3][0] = std::numeric_limits<double>::quiet_NaN();
   for (const glm::dmat4& matrix : {flat, projective, broken, glm::dmat4(0.0)}) {
-    const std::vector<NamedTransform> all{{"Image", "Reference", matrix, PoseStatus::ok}};
+    const std::vector<FrameTransform> all{{"Image", "Reference", matrix, PoseStatus::ok}};
     EXPECT_FALSE(chain(all, "Image", "Reference").has_value());
     EXPECT_TRUE(reachableFrom(all, "Image").empty());
   }
   // A fine calibration has small axes: that is not flat.
-  const std::vector<NamedTransform> fine{{"Image", "Reference", glm::scale(glm::dmat4(1.0), glm::dvec3(1e-6)), PoseStatus::ok}};
+  const std::vector<FrameTransform> fine{{"Image", "Reference", glm::scale(glm::dmat4(1.0), glm::dvec3(1e-6)), PoseStatus::ok}};
   EXPECT_TRUE(chain(fine, "Image", "Reference").has_value());
 }
 

@@ -21,7 +21,7 @@ TEST(SignedDistance, IsExactToSidesAndCorners) {
 
 TEST(FillBetween, MakesATruncatedConeOfTwoCircles) {
   Volume labels = emptyLabels({80, 80, 80}, glm::dvec3(0.5), 0.25);
-  const TracedContour contours[] = {{planeAt({0, 0, -8}), circle(6.0, 360)}, {planeAt({0, 0, 8}), circle(12.0, 360)}};
+  const ContourTrace contours[] = {{planeAt({0, 0, -8}), circle(6.0, 360)}, {planeAt({0, 0, 8}), circle(12.0, 360)}};
   ASSERT_TRUE(fillBetween(labels, contours, {.label = 5}, noProgress()));
   // Distances to circles are linear, so the radius is: pi h (a^2 + a b + b^2) / 3.
   const double cone_ml = kPi * 16.0 * (36.0 + 72.0 + 144.0) / 3.0 * 1e-3;
@@ -30,12 +30,12 @@ TEST(FillBetween, MakesATruncatedConeOfTwoCircles) {
 
 TEST(FillBetween, FollowsAnObliqueShiftAndDoesNotAskForAnOrder) {
   Volume labels = emptyLabels({80, 60, 80}, glm::dvec3(0.5));
-  const TracedContour ordered[] = {{planeAt({0, 0, -9}), circle(5.0, 360, {-6.0, 0.0})},
-                                   {planeAt({0, 0, 0}), circle(5.0, 360)},
-                                   {planeAt({0, 0, 9}), circle(5.0, 360, {6.0, 0.0})}};
+  const ContourTrace ordered[] = {{planeAt({0, 0, -9}), circle(5.0, 360, {-6.0, 0.0})},
+                                  {planeAt({0, 0, 0}), circle(5.0, 360)},
+                                  {planeAt({0, 0, 9}), circle(5.0, 360, {6.0, 0.0})}};
   ASSERT_TRUE(fillBetween(labels, ordered, {}, noProgress()));
   Volume shuffled = emptyLabels({80, 60, 80}, glm::dvec3(0.5));
-  const TracedContour other[] = {ordered[1], ordered[2], ordered[0]};
+  const ContourTrace other[] = {ordered[1], ordered[2], ordered[0]};
   ASSERT_TRUE(fillBetween(shuffled, other, {}, noProgress()));
   EXPECT_EQ(labels.echo, shuffled.echo);
   // Half way both discs lie 3 mm beside: the cut is as wide as they are and sqrt(25 - 9) = 4 mm high.
@@ -47,7 +47,7 @@ TEST(FillBetween, FillsAFanOfTiltedPlanes) {
   // each.
   Volume labels = emptyLabels({90, 90, 90}, glm::dvec3(0.5));
   const double radius_mm = 10.0;
-  std::vector<TracedContour> contours;
+  std::vector<ContourTrace> contours;
   for (int n = -2; n <= 2; ++n) {
     const double tilt_rad = n * 10.0 * kPi / 180.0;
     // The apex is 25 mm above the ball's middle.
@@ -69,9 +69,9 @@ TEST(FillBetween, FillsAFanOfTiltedPlanes) {
 TEST(FillBetween, RefusesWhatHasNoShapeAndChangesNothingThen) {
   Volume labels = emptyLabels({20, 20, 20}, glm::dvec3(1.0));
   const Volume before = labels;
-  const TracedContour one[] = {{planeAt({0, 0, 0}), circle(5.0)}};
+  const ContourTrace one[] = {{planeAt({0, 0, 0}), circle(5.0)}};
   EXPECT_EQ(fillBetween(labels, one, {}, noProgress()).error().code, ErrorCode::badUsage);
-  const TracedContour crossing[] = {{planeAt({0, 0, 0}), circle(5.0)}, {planeAt({0, 0, 0}, 0.8, {1.0, 0.0, 0.0}), circle(5.0)}};
+  const ContourTrace crossing[] = {{planeAt({0, 0, 0}), circle(5.0)}, {planeAt({0, 0, 0}, 0.8, {1.0, 0.0, 0.0}), circle(5.0)}};
   EXPECT_EQ(fillBetween(labels, crossing, {}, noProgress()).error().code, ErrorCode::badUsage);
   EXPECT_EQ(labels, before);
 }

@@ -30,7 +30,7 @@ std::vector<Tried> everyKind() {
   const AnswerTask number{{}, 12.0, 1.0, "mm"};
   AnswerTask openNumber;
   openNumber.unit = "mm";
-  HandedMeasurement angle;
+  MeasurementSubmission angle;
   angle.kind = "angle";
   angle.figures.push_back({"angle", 40.0, "deg"});
   const MeasureTask measure{"ball, across", {}};
@@ -88,7 +88,7 @@ TEST(HandedIn, OfALessonIsKeptWithItsRecordingAndTheAnswersItIsJudgedBy) {
   Lesson lesson;
   lesson.id = "lesson-1";
   lesson.title = "L";
-  lesson.steps = {test::step(ReadTask{}), test::step(PlaneTask{})};
+  lesson.steps = {test::step(ReadingTask{}), test::step(PlaneTask{})};
   lesson.steps[0].id = "step-1";
   lesson.steps[1].id = "step-2";
   auto run = LessonRun::begin(lesson, "examination-x", "me", folder.path(), std::string(64, 'a'));
@@ -106,7 +106,7 @@ TEST(HandedIn, OfALessonIsKeptWithItsRecordingAndTheAnswersItIsJudgedBy) {
   ASSERT_TRUE(outcome) << outcome.error();
   EXPECT_EQ(outcome->verdict, StepVerdict::handedIn);
   ASSERT_TRUE(run->next());
-  const auto kept = KeptAttempt::open(run->attempt()->folder());
+  const auto kept = AttemptFolder::open(run->attempt()->folder());
   ASSERT_TRUE(kept) << kept.error();
   EXPECT_EQ(sealedAnswersOf(kept->attempt()), std::string(64, 'a'));
   EXPECT_EQ(kept->attempt().outcomes.at(1).verdict, StepVerdict::handedIn);

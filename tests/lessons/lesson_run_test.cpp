@@ -20,7 +20,7 @@ Lesson lesson() {
   made.id = "lesson";
   made.title = "Lesson";
   for (const auto& [id, task] :
-       {std::pair<const char*, LessonTask>{"read", ReadTask{}}, {"plane", PlaneTask{"middle", {}, {}}}, {"end", ReadTask{}}}) {
+       {std::pair<const char*, LessonTask>{"read", ReadingTask{}}, {"plane", PlaneTask{"middle", {}, {}}}, {"end", ReadingTask{}}}) {
     made.steps.push_back(test::step(task));
     made.steps.back().id = id;
     made.steps.back().hints = {"First.", "Second."};
@@ -72,7 +72,7 @@ TEST(LessonRunOfALesson, GoesOnAtTheStepThatWasNotEnded) {
     ASSERT_TRUE(run->next());
     ASSERT_TRUE(run->startStep(scene(), 2.0));
   }  // as if it were killed
-  auto again = KeptAttempt::open(kept);
+  auto again = AttemptFolder::open(kept);
   ASSERT_TRUE(again);
   const LessonRun run(lesson(), std::move(*again));
   EXPECT_EQ(run.step().id, "plane");
@@ -89,9 +89,9 @@ TEST(LessonRunOfALesson, IsFinishedWithItsLastOutcomeThoughNobodyGoesOn) {
     ASSERT_TRUE(run->next());
   }
   ASSERT_TRUE(run->startStep(scene(), 20.0));
-  EXPECT_FALSE(KeptAttempt::open(run->attempt()->folder())->attempt().finishedAt);
+  EXPECT_FALSE(AttemptFolder::open(run->attempt()->folder())->attempt().finishedAt);
   ASSERT_TRUE(run->endStep({}, 21.0));
-  const auto kept = KeptAttempt::open(run->attempt()->folder());  // the window is closed on the outcome
+  const auto kept = AttemptFolder::open(run->attempt()->folder());  // the window is closed on the outcome
   ASSERT_TRUE(kept->attempt().finishedAt);
   EXPECT_EQ(*kept->attempt().finishedAt, kept->attempt().outcomes.back().at);
   ASSERT_TRUE(run->startStep(scene(), 30.0)) << "the last step may be tried again";
@@ -115,13 +115,13 @@ TEST(LessonRunOfALesson, IsFinishedWhenAnAttemptWhoseStepsHaveAllEndedIsGoneOnWi
     outcome.at = std::chrono::sys_days(std::chrono::year(2026) / 1 / 5) + std::chrono::hours(9);
     attempt.outcomes.push_back(outcome);
   }
-  auto kept = KeptAttempt::begin(folder.path(), attempt);
+  auto kept = AttemptFolder::begin(folder.path(), attempt);
   ASSERT_TRUE(kept) << kept.error();
   const auto place = kept->folder();
   const auto run = LessonRun::goOnWith(lesson(), std::move(*kept));
   ASSERT_TRUE(run) << run.error();
   EXPECT_TRUE(run->isOver());
-  EXPECT_EQ(KeptAttempt::open(place)->attempt().finishedAt, attempt.outcomes.back().at) << "as of its last outcome";
+  EXPECT_EQ(AttemptFolder::open(place)->attempt().finishedAt, attempt.outcomes.back().at) << "as of its last outcome";
   EXPECT_EQ(run->result({}).passed(), true);
 }
 
@@ -133,9 +133,9 @@ TEST(LessonRunOfALesson, ThatWasRevisedMeanwhileIsTheOneTheAttemptGoesOnAt) {
   Lesson revised = lesson();
   revised.title = "Revised";
   revised.steps.pop_back();
-  const auto run = LessonRun::goOnWith(revised, *KeptAttempt::open(place));
+  const auto run = LessonRun::goOnWith(revised, *AttemptFolder::open(place));
   ASSERT_TRUE(run) << run.error();
-  const Attempt kept = KeptAttempt::open(place)->attempt();
+  const Attempt kept = AttemptFolder::open(place)->attempt();
   EXPECT_EQ(kept.lessonContent, contentOf(revised)) << "what window, reports and learning systems judge it by";
   EXPECT_EQ(kept.lessonTitle, "Revised");
 }
@@ -145,7 +145,7 @@ TEST(LessonRunOfALesson, SaysWhichLaunchBeganIt) {
   const EnvironmentValue launch(kLaunchVariable, "0a5f-17.4");
   const auto run = LessonRun::begin(lesson(), "home", "", folder.path());
   ASSERT_TRUE(run);
-  EXPECT_EQ(KeptAttempt::open(run->attempt()->folder())->attempt().launch, "0a5f-17.4");
+  EXPECT_EQ(AttemptFolder::open(run->attempt()->folder())->attempt().launch, "0a5f-17.4");
   const EnvironmentValue odd(kLaunchVariable, "not a launch\n");
   EXPECT_EQ(launchOfEnvironment(), "");
 }
@@ -157,7 +157,7 @@ TEST(LessonRunOfALesson, SaysWhatScoreItsLaunchAsksFor) {
   const EnvironmentValue launch(kLaunchVariable, "0a5f-17.4");
   const auto run = LessonRun::begin(lesson(), "home", "", folder.path());
   ASSERT_TRUE(run);
-  EXPECT_EQ(KeptAttempt::open(run->attempt()->folder())->attempt().masteryScore, 0.65);
+  EXPECT_EQ(AttemptFolder::open(run->attempt()->folder())->attempt().masteryScore, 0.65);
   EXPECT_EQ(run->result({}).masteryScore, 0.65);
   for (const char* odd : {"", "much", "1.5", "-0.1"}) {
     const EnvironmentValue other(kMasteryVariable, odd);
@@ -268,7 +268,7 @@ TEST(LessonRunOfALesson, GoesBackToAStepThatWasLostWhileItWasTriedAgain) {
     ASSERT_TRUE(run->endStep({}, 1.0));
     ASSERT_TRUE(run->startStep(scene(), 2.0));
   }  // as if it were killed
-  LessonRun run(lesson(), *KeptAttempt::open(kept));
+  LessonRun run(lesson(), *AttemptFolder::open(kept));
   EXPECT_EQ(run.step().id, "plane") << "what was ended before stands";
   ASSERT_TRUE(run.goBackToLost());
   EXPECT_EQ(run.step().id, "read");
@@ -277,7 +277,7 @@ TEST(LessonRunOfALesson, GoesBackToAStepThatWasLostWhileItWasTriedAgain) {
   ASSERT_TRUE(run.next());
   EXPECT_EQ(run.step().id, "plane") << "and it goes on from there";
   ASSERT_TRUE(run.startStep(scene(), 5.0));
-  LessonRun lost(lesson(), *KeptAttempt::open(kept));
+  LessonRun lost(lesson(), *AttemptFolder::open(kept));
   EXPECT_FALSE(lost.goBackToLost()) << "a step that nobody has ended is the one it stands at";
   EXPECT_EQ(lost.step().id, "plane");
 }

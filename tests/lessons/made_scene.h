@@ -63,8 +63,8 @@ inline LessonStep step(LessonTask task) {
   return made;
 }
 
-inline HandedMeasurement length(double value_mm) {
-  HandedMeasurement made;
+inline MeasurementSubmission length(double value_mm) {
+  MeasurementSubmission made;
   made.kind = "distance";
   made.figures.push_back({"length", value_mm, "mm"});
   return made;

@@ -54,7 +54,7 @@ TEST(StepAutosave, AKilledStepGoesOnWhereItStood) {
   ASSERT_TRUE(WIFSIGNALED(status));
   const auto attempts = listAttempts(folder / "attempts");
   ASSERT_EQ(attempts.attempts.size(), 1u);
-  auto attempt = KeptAttempt::open(attempts.attempts[0].first);
+  auto attempt = AttemptFolder::open(attempts.attempts[0].first);
   ASSERT_TRUE(attempt);
   LessonRun run(oneStep(), std::move(*attempt));
 
@@ -68,7 +68,7 @@ TEST(StepAutosave, AKilledStepGoesOnWhereItStood) {
   EXPECT_EQ(left->hints, 1);
   // The clock of the next program began anew.
   ASSERT_TRUE(run.startStep(scene(), 3.0));
-  run.takeUp(left->log, left->used_s, left->hints, 3.0);
+  run.resume(left->log, left->used_s, left->hints, 3.0);
   EXPECT_DOUBLE_EQ(run.used_s(5.0), 10.0);
   EXPECT_EQ(run.hintsGiven(), 1);
   here.begin(run, "/cases/home", "Home");
@@ -150,13 +150,13 @@ TEST(StepAutosave, AStepThatIsTriedOnceMoreGoesOnInItsAttemptAlthoughThatIsFinis
   ASSERT_TRUE(left);
   EXPECT_EQ(left->attempt, tried);
   EXPECT_EQ(left->log.frameCount(), 1u);
-  auto run = LessonRun::goOnWith(oneStep(), *KeptAttempt::open(tried));
+  auto run = LessonRun::goOnWith(oneStep(), *AttemptFolder::open(tried));
   ASSERT_TRUE(run) << run.error();
   ASSERT_TRUE(run->isOver());
   ASSERT_TRUE(run->goBackToLost());
   EXPECT_EQ(run->step().id, left->stepId);
   ASSERT_TRUE(run->startStep(scene(), 3.0));
-  run->takeUp(left->log, left->used_s, left->hints, 3.0);
+  run->resume(left->log, left->used_s, left->hints, 3.0);
   const auto outcome = run->endStep({}, 4.0);
   ASSERT_TRUE(outcome) << outcome.error();
   EXPECT_EQ(outcome->verdict, StepVerdict::passed);
@@ -198,7 +198,7 @@ TEST(StepAutosave, AStepThatCannotBeKeptAgainIsNotTakenFromWhereItWas) {
     ASSERT_TRUE(left);
     EXPECT_EQ(left->log.frameCount(), 2u);
     ASSERT_TRUE(run.startStep(scene(), 3.0));
-    run.takeUp(left->log, left->used_s, left->hints, 3.0);
+    run.resume(left->log, left->used_s, left->hints, 3.0);
     const ew::test::FileSizeLimit full(0);
     here.begin(run, "/cases/home", "Home");
     here.grow(run, 5.0);
@@ -207,12 +207,12 @@ TEST(StepAutosave, AStepThatCannotBeKeptAgainIsNotTakenFromWhereItWas) {
   };
   {
     StepAutosave here(folder / "kept");
-    LessonRun run(oneStep(), *KeptAttempt::open(attempt));
+    LessonRun run(oneStep(), *AttemptFolder::open(attempt));
     goOn(here, run);
     EXPECT_EQ(journalsIn(folder / "kept").size(), 1u) << "the only copy there is";
   }
   StepAutosave here(folder / "kept");
-  LessonRun run(oneStep(), *KeptAttempt::open(attempt));
+  LessonRun run(oneStep(), *AttemptFolder::open(attempt));
   goOn(here, run);
   const auto before = journalsIn(folder / "kept");
   ASSERT_EQ(before.size(), 1u);
@@ -228,7 +228,7 @@ TEST(StepAutosave, OfTwoThatWereLeftTheOneWithMoreOfTheStepIsTakenUp) {
   const auto attempt = attemptKilledInAStep(folder);
   doAndBeKilled([&] {
     StepAutosave kept(folder / "kept");
-    LessonRun run(oneStep(), *KeptAttempt::open(attempt));
+    LessonRun run(oneStep(), *AttemptFolder::open(attempt));
     if (!run.startStep(scene(), 3.0)) return;
     kept.begin(run, "/cases/home", "Home");  // and no more, as on a full medium
     kept.flush();

@@ -68,7 +68,7 @@ TEST(MeasureStep, ComparesTheLastFittingMeasurement) {
   const StepOutcome off = judged(task, {image(held())}, {.measurements = {test::length(43.0)}});
   EXPECT_LT(off.score, 0.7);
   auto work = workOf(test::step(task), scene().ground());
-  HandedMeasurement angle;
+  MeasurementSubmission angle;
   angle.figures.push_back({"angle", 40.0, "deg"});
   EXPECT_TRUE((*work)->missing({.measurements = {angle}})) << "an angle is no length";
   EXPECT_FALSE((*work)->missing({.measurements = {test::length(1.0)}}));
@@ -160,11 +160,11 @@ TEST(WorkOf, SaysWhatTheCaseDoesNotHave) {
 
 TEST(EveryStep, JudgesWithoutHavingSeenAnything) {
   for (const LessonTask& task :
-       {LessonTask(ReadTask{}), LessonTask(WatchTask{}), LessonTask(PlaneTask{"middle", {}, {}}), LessonTask(SweepTask{"ball", 0.9}),
+       {LessonTask(ReadingTask{}), LessonTask(WatchTask{}), LessonTask(PlaneTask{"middle", {}, {}}), LessonTask(SweepTask{"ball", 0.9}),
         LessonTask(MeasureTask{"ball, across", {}}), LessonTask(PointTask{"ball"}), LessonTask(SettingsTask{{"x"}, {}}),
         LessonTask(AnswerTask{{{"a", true, ""}}, {}, 0.0, ""}), LessonTask(FreeTask{1.0, {"middle"}})}) {
     const double score = judged(task, {}).score;
-    EXPECT_DOUBLE_EQ(score, std::holds_alternative<ReadTask>(task) ? 1.0 : 0.0) << taskWord(task);
+    EXPECT_DOUBLE_EQ(score, std::holds_alternative<ReadingTask>(task) ? 1.0 : 0.0) << taskWord(task);
   }
 }
 

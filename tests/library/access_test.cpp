@@ -15,7 +15,7 @@
 #include "ew/library/case_truth.h"
 #include "ew/library/index.h"
 #include "ew/library/instructor_log.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "library/examination_world.h"
 
 namespace ew::test::access_test {
@@ -79,10 +79,10 @@ TEST_F(OfAnExamination, IdsOfCaseLessonsAndStepsAreRead) {
   EXPECT_EQ(text.find("secret"), std::string::npos);
   EXPECT_EQ(view()["parts"]["lessons"]["lessons"][0]["steps"][1]["id"], "step-3");
 }
-TEST_F(OfAnExamination, TextsInPicturesAreRead) {
-  const std::string picture = files().at("media/picture-1.png");
-  EXPECT_EQ(picture.find("tEXt"), std::string::npos);
-  EXPECT_TRUE(picture.ends_with("IEND\xae\x42\x60\x82")) << "nothing stands behind its end";
+TEST_F(OfAnExamination, TextsInImagesAreRead) {
+  const std::string image = files().at("media/picture-1.png");
+  EXPECT_EQ(image.find("tEXt"), std::string::npos);
+  EXPECT_TRUE(image.ends_with("IEND\xae\x42\x60\x82")) << "nothing stands behind its end";
 }
 TEST_F(OfAnExamination, TranslationsOfAnswersAreRead) {
   const json words = json::parse(files().at("words/de.json"))["words"];
@@ -225,7 +225,7 @@ class OfAHandedInAttempt : public OfAnExamination {
     attempt.caseId = world_.made.id;
     attempt.lessonId = "lesson-1";
     attempt = withSealedAnswers(attempt, world_.made.sealedSha256);
-    auto kept = KeptAttempt::begin(world_.folder / "theirs", attempt);
+    auto kept = AttemptFolder::begin(world_.folder / "theirs", attempt);
     EXPECT_TRUE(kept);
     StepOutcome outcome;
     outcome.stepId = "step-3";
@@ -234,7 +234,7 @@ class OfAHandedInAttempt : public OfAnExamination {
     EXPECT_TRUE(kept->endStep(outcome));
     return kept->folder();
   }
-  Result<OpenedExamination> opened_ = failure(ErrorCode::internal, say<"Cancelled.">());
+  Result<OpenExamination> opened_ = failure(ErrorCode::internal, say<"Cancelled.">());
 };
 
 TEST_F(OfAHandedInAttempt, AFileOutsideIsNamedAsItsRecording) {
@@ -257,14 +257,14 @@ TEST_F(OfAHandedInAttempt, IsTakenAsOneAtTheCaseWithItsFiles) {
   const auto taken = takeExamined(folder, *opened_, world_.folder / "scored");
   ASSERT_TRUE(taken) << taken.error();
   EXPECT_EQ(textOf(*taken / "step.seq.mha"), "raw data");
-  const auto kept = KeptAttempt::open(*taken);
+  const auto kept = AttemptFolder::open(*taken);
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->attempt().caseId, "secretid");
   EXPECT_EQ(kept->attempt().outcomes.at(0).stepId, "secretstep-plane");
   EXPECT_EQ(sealedAnswersOf(kept->attempt()), "") << "it can be scored now";
-  const Attempt theirs = KeptAttempt::open(folder)->attempt();
-  EXPECT_EQ(triedAs(kept->attempt()), (TriedAs{theirs.caseId, theirs.lessonId})) << "a course that started it knows it again";
-  EXPECT_EQ(triedAs(theirs), (TriedAs{theirs.caseId, theirs.lessonId}));
+  const Attempt theirs = AttemptFolder::open(folder)->attempt();
+  EXPECT_EQ(triedAs(kept->attempt()), (TrialIdentity{theirs.caseId, theirs.lessonId})) << "a course that started it knows it again";
+  EXPECT_EQ(triedAs(theirs), (TrialIdentity{theirs.caseId, theirs.lessonId}));
   EXPECT_FALSE(takeExamined(folder, *opened_, world_.folder / "scored")) << "once";
 }
 
@@ -283,7 +283,7 @@ class FromAnotherAccount : public ::testing::Test {
     attempt.caseId = "case";
     attempt.lessonId = "lesson";
     attempt.person = "Ada";
-    auto kept = KeptAttempt::begin(attemptsFolder(library_), attempt);
+    auto kept = AttemptFolder::begin(attemptsFolder(library_), attempt);
     ASSERT_TRUE(kept) << kept.error();
     writeText(kept->folder() / "step.seq.mha", "raw");
     StepOutcome outcome;
@@ -314,7 +314,7 @@ TEST_F(FromAnotherAccount, ARecordingOfAnAttemptIsRead) {
   EXPECT_FALSE(anotherAccountCan([&] { return canRead(attempt_ / "step.seq.mha"); }));
 }
 TEST_F(FromAnotherAccount, TheAttemptIsOpenedWithTheProgram) {
-  EXPECT_FALSE(anotherAccountCan([&] { return KeptAttempt::open(attempt_).has_value(); }));
+  EXPECT_FALSE(anotherAccountCan([&] { return AttemptFolder::open(attempt_).has_value(); }));
   EXPECT_FALSE(anotherAccountCan([&] { return !listAttempts(attemptsFolder(library_)).attempts.empty(); }));
 }
 TEST_F(FromAnotherAccount, AFileIsPlantedAmongTheAttempts) {

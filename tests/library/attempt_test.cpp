@@ -36,7 +36,7 @@ StepOutcome outcome(std::string step, StepVerdict verdict = StepVerdict::passed)
   made.remarks = {{true, say<"No such file: '%1'.">(std::string("a"))}, {false, verbatim("Said by an author.")}};
   made.answer = OptionsAnswer{{1, 2}};
   made.recording = "step-01.seq.mha";
-  made.pictures = {"a.png"};
+  made.images = {"a.png"};
   made.at = kMorning + std::chrono::seconds(50);
   made.otherFields = {{"colour", "blue"}};
   return made;
@@ -116,36 +116,36 @@ TEST(IdOfAnAttempt, SortsTheAttemptsOfOneSecond) {
   }
 }
 
-TEST(KeptAttempt, HoldsEveryStepThatEnded) {
+TEST(AttemptFolder, HoldsEveryStepThatEnded) {
   const TemporaryFolder folder;
-  auto kept = KeptAttempt::begin(folder.path(), begun());
+  auto kept = AttemptFolder::begin(folder.path(), begun());
   ASSERT_TRUE(kept) << kept.error();
   ASSERT_TRUE(kept->beginStep("a"));
-  EXPECT_EQ(KeptAttempt::open(kept->folder())->attempt().runningStep, "a");
+  EXPECT_EQ(AttemptFolder::open(kept->folder())->attempt().runningStep, "a");
   ASSERT_TRUE(kept->endStep(outcome("a")));
   ASSERT_TRUE(kept->beginStep("b"));
   ASSERT_TRUE(kept->leaveStep());
   ASSERT_TRUE(kept->finish(kMorning));
-  const auto again = KeptAttempt::open(kept->folder());
+  const auto again = AttemptFolder::open(kept->folder());
   ASSERT_TRUE(again) << again.error();
   EXPECT_EQ(again->attempt(), kept->attempt());
   EXPECT_EQ(again->attempt().outcomes.size(), 1u);
   EXPECT_TRUE(again->attempt().runningStep.empty());
 }
 
-TEST(KeptAttempt, GivesFilesNamesThatAreFree) {
+TEST(AttemptFolder, GivesFilesNamesThatAreFree) {
   const TemporaryFolder folder;
-  auto kept = KeptAttempt::begin(folder.path(), begun());
+  auto kept = AttemptFolder::begin(folder.path(), begun());
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->nameForFile("Find it", ".png"), "step-01-find-it.png");
   writeText(kept->folder() / "step-01-find-it.png", "x");
   EXPECT_EQ(kept->nameForFile("Find it", ".png"), "step-01-find-it-2.png");
 }
 
-TEST(KeptAttempt, SaysThatAFolderCannotBeWritten) {
+TEST(AttemptFolder, SaysThatAFolderCannotBeWritten) {
   const TemporaryFolder folder;
   writeText(folder / "file", "");
-  const auto kept = KeptAttempt::begin(folder / "file", begun());
+  const auto kept = AttemptFolder::begin(folder / "file", begun());
   ASSERT_FALSE(kept);
   EXPECT_EQ(kept.error().code, ErrorCode::notWritable);
 }
@@ -155,8 +155,8 @@ TEST(ListAttempts, ListsTheLatestFirstAndNamesWhatIsBroken) {
   EXPECT_TRUE(listAttempts(folder / "none").attempts.empty());
   Attempt second = begun();
   second.id = "20261127-093000-00000001";
-  ASSERT_TRUE(KeptAttempt::begin(folder.path(), begun()));
-  ASSERT_TRUE(KeptAttempt::begin(folder.path(), second));
+  ASSERT_TRUE(AttemptFolder::begin(folder.path(), begun()));
+  ASSERT_TRUE(AttemptFolder::begin(folder.path(), second));
   writeText(folder / "broken/attempt.json", "{");
   const AttemptList list = listAttempts(folder.path());
   ASSERT_EQ(list.attempts.size(), 2u);
@@ -167,7 +167,7 @@ TEST(ListAttempts, ListsTheLatestFirstAndNamesWhatIsBroken) {
 
 /// Goes through steps as fast as it can, and tells through the pipe how many have ended.
 [[noreturn]] void workUntilKilled(const fs::path& root, int pipe) {
-  auto kept = KeptAttempt::begin(root, begun());
+  auto kept = AttemptFolder::begin(root, begun());
   for (unsigned n = 1; kept; ++n) {
     const std::string id = "step-" + std::to_string(n);
     if (!kept->beginStep(id)) break;
@@ -180,7 +180,7 @@ TEST(ListAttempts, ListsTheLatestFirstAndNamesWhatIsBroken) {
   ::_exit(1);
 }
 
-TEST(KeptAttempt, LosesAtMostTheStepThatRanWhenItIsKilled) {
+TEST(AttemptFolder, LosesAtMostTheStepThatRanWhenItIsKilled) {
   std::mt19937 random(17);
   std::uniform_int_distribution<int> wait_us(200, 30'000);
   for (int trial = 0; trial < 50; ++trial) {

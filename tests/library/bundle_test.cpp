@@ -85,7 +85,7 @@ TEST(Bundle, KeepsNamesInAnyLanguageWhateverTheLocale) {
     const auto imported = importBundle(folder / (std::string(locale) + ".ewcase"), folder / locale);
     ASSERT_TRUE(imported) << imported.error();
     EXPECT_EQ(textOf(imported->folder / deep), "deep");
-    EXPECT_EQ(textOf(imported->folder / "media/übersicht.txt"), "A picture of sorts.");
+    EXPECT_EQ(textOf(imported->folder / "media/übersicht.txt"), "An image of sorts.");
   }
   std::setlocale(LC_ALL, before.c_str());
   EXPECT_EQ(textOf(folder / "C.ewcase"), textOf(folder / "C.UTF-8.ewcase"));

@@ -67,7 +67,7 @@ inline void makeVolumeCase(const std::filesystem::path& folder, const std::strin
                            unsigned seed = 1) {
   std::filesystem::create_directories(folder / "volumes");
   ASSERT_TRUE(writeVolume(noisyVolume(dims, seed), folder / "volumes/v.mha"));
-  writeText(folder / "media/übersicht.txt", "A picture of sorts.");
+  writeText(folder / "media/übersicht.txt", "An image of sorts.");
   writeText(folder / "scans/expert.txt", std::string(3000, 'p'));
   writeText(folder / "case.json", manifestOfVolumeCase(id).dump(2));
 }

@@ -203,7 +203,7 @@ TEST_F(ContentsOfACase, StayWhereSomebodyElseAnswersForThem) {
   ASSERT_TRUE(theirs);
   EXPECT_EQ(withdrawFiles(*theirs, {"volumes/other.mha"}, CaseEditor::nobody).error().code, ErrorCode::notWritable);
   Case examination = opened();
-  examination.sealed = SealedReference{"answers.sealed", std::string(64, '0')};
+  examination.sealed = SealReference{"answers.sealed", std::string(64, '0')};
   const auto sealed = withdrawFiles(examination, {"volumes/other.mha"}, CaseEditor::nobody);
   ASSERT_FALSE(sealed);
   EXPECT_NE(sealed.error().sentence().find("examination"), std::string::npos) << sealed.error();

@@ -271,7 +271,7 @@ TEST(LoadCase, ReadsWhatATraineeIsToldAndWhatIsExpectedOfARecordedVolume) {
   EXPECT_EQ(opened->differential, (std::vector<std::string>{"Gastritis", "Ulcer"}));
   EXPECT_EQ(opened->difficulty, 4);
   EXPECT_EQ(opened->tags.size(), 2u);
-  EXPECT_EQ(opened->previousExaminations[0].pictures.front(), "patient.json");
+  EXPECT_EQ(opened->previousExaminations[0].images.front(), "patient.json");
   EXPECT_EQ(opened->targets[0].label, 7);
   EXPECT_EQ(opened->measurements[0].value, 9.5);
   EXPECT_EQ(opened->measurements[0].points_mm[1], glm::dvec3(4, 5, 6));
@@ -452,14 +452,14 @@ TEST(SaveCase, LeavesTheOldFileWholeWhenTheProcessDiesWhileSaving) {
 TEST(SaveCase, CopiesTheWholeCaseWhenItIsSavedElsewhere) {
   const TemporaryFolder folder;
   makeCase(folder / "old", smallest());
-  writeText(folder / "old/media/picture.txt", "a picture");
+  writeText(folder / "old/media/picture.txt", "an image");
   auto opened = loadCase(folder / "old");
   ASSERT_TRUE(opened);
   opened->title = "The copy";
   ASSERT_TRUE(saveCase(*opened, folder / "new"));
   EXPECT_EQ(loadCase(folder / "new")->title, "The copy");
   EXPECT_EQ(loadCase(folder / "old")->title, "One");
-  EXPECT_EQ(textOf(folder / "new/media/picture.txt"), "a picture");
+  EXPECT_EQ(textOf(folder / "new/media/picture.txt"), "an image");
   // A second time would overwrite: refused, and nothing aside stays behind.
   EXPECT_EQ(saveCase(*opened, folder / "new").error().code, ErrorCode::notWritable);
   EXPECT_EQ(saveCase(*opened, folder / "old/inside").error().code, ErrorCode::notWritable);
@@ -471,14 +471,14 @@ TEST(SaveCase, CopiesTheWholeCaseWhenItIsSavedElsewhere) {
 TEST(SaveCase, CopiesACaseThatWasOpenedThroughALinkedFolder) {
   const TemporaryFolder folder;
   makeCase(folder / "old", smallest());
-  writeText(folder / "old/media/picture.txt", "a picture");
+  writeText(folder / "old/media/picture.txt", "an image");
   std::filesystem::create_directory_symlink("old", folder / "link");
   const auto opened = loadCase(folder / "link");
   ASSERT_TRUE(opened);
   const auto saved = saveCase(*opened, folder / "new");
   ASSERT_TRUE(saved) << saved.error();
   EXPECT_EQ(loadCase(folder / "new")->title, "One");
-  EXPECT_EQ(textOf(folder / "new/media/picture.txt"), "a picture");
+  EXPECT_EQ(textOf(folder / "new/media/picture.txt"), "an image");
 }
 
 TEST(CaseAsRead, TellsWhetherSomebodyElseHasSavedTheCaseSince) {

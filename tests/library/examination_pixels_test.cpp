@@ -25,9 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// ---- pictures ----
+// ---- images ----
 
-/// What may change between two pictures of one subject.
+/// What may change between two images of one subject.
 struct Look {
   std::string name;
   std::function<void(ScanState&)> set;
@@ -97,9 +97,9 @@ std::vector<Look> looks() {
 
 std::vector<std::uint8_t> greyOf(Scanner& scanner, const ScanState& state) {
   constexpr int kWidth_px = 220, kHeight_px = 180;
-  const Picture picture = scanner.make(state, kWidth_px, kHeight_px);
+  const DisplayImage image = scanner.make(state, kWidth_px, kHeight_px);
   std::vector<std::uint8_t> grey;
-  for (int y = 0; y < picture.height(); ++y) grey.insert(grey.end(), picture.grey.row(y), picture.grey.row(y) + picture.width());
+  for (int y = 0; y < image.height(); ++y) grey.insert(grey.end(), image.grey.row(y), image.grey.row(y) + image.width());
   scanner.forget();
   return grey;
 }
@@ -140,7 +140,7 @@ std::size_t expectSamePixels(const ScanSubject& own, const ScanSubject& theirs) 
   return seen.size();
 }
 
-/// The same of a virtual patient: whatever forms pictures is alike, and the comparison sees what it is about.
+/// The same of a virtual patient: whatever forms images is alike, and the comparison sees what it is about.
 std::size_t expectSamePatient(const ScanSubject& own, const ScanSubject& theirs) {
   const bool isThere = own.tissue && theirs.tissue && own.motion && theirs.motion;
   EXPECT_TRUE(isThere);
@@ -267,7 +267,7 @@ class ExaminationOfTwins : public ::testing::Test {
 };
 
 TEST_F(ExaminationOfTwins, ShowsThePixelsOfTheTrainingCase) {
-  EXPECT_EQ(expectSamePatient(subjectIn(trained()), subjectIn(examined())), looks().size()) << "each look is a picture of its own";
+  EXPECT_EQ(expectSamePatient(subjectIn(trained()), subjectIn(examined())), looks().size()) << "each look is an image of its own";
 }
 
 TEST_F(ExaminationOfTwins, HasOneSurfaceOfOrgansAlikeButWhereTheyTouch) {
@@ -506,7 +506,7 @@ TEST(RecordedExamination, ShowsThePixelsOfTheTrainingCase) {
 
 // ---- the scene and the surfaces by themselves ----
 
-TEST(TraineeScene, HasEveryEffectThatFormsAPicture) {
+TEST(TraineeScene, HasEveryEffectThatFormsAnImage) {
   Scene scene = sceneWithEverything();
   scene.gainAndDgc = false;
   scene.recordedDynamicRange_db = 71.0;

@@ -29,12 +29,12 @@ TEST(ImportFile, EachKindIsKnownByItsContentAndAsksForWhatIsMissing) {
   std::string withTiffBefore = unregioned;  // in the bytes that every DICOM file leaves free
   withTiffBefore.replace(0, 4, std::string("II*\0", 4));
   for (const auto& [name, bytes, kind, asks] :
-       {Case{"both.dcm", withTiffBefore, FileKind::dicomPictures, "pixel-mm"},
+       {Case{"both.dcm", withTiffBefore, FileKind::dicomImages, "pixel-mm"},
         Case{"film.raw", "RIFF" + ramp(4) + "AVI LIST" + ramp(100), FileKind::film, "screen"},
         Case{"stack.tif", std::string("II*\0", 4) + ramp(100), FileKind::film, "screen"},
-        Case{"a.dcm", unregioned, FileKind::dicomPictures, "pixel-mm"},
-        Case{"no-ending", enhancedFile(enhanced), FileKind::dicomVolume, ""}, Case{"k.vol", kretzFile(kretz), FileKind::kretz, ""},
-        Case{"x.bin", ramp(100), FileKind::raw, "raw"}, Case{"p1.pgm", "P5\n2 2\n255\n" + ramp(4), FileKind::pictures, "spacing"},
+        Case{"a.dcm", unregioned, FileKind::dicomImages, "pixel-mm"}, Case{"no-ending", enhancedFile(enhanced), FileKind::dicomVolume, ""},
+        Case{"k.vol", kretzFile(kretz), FileKind::kretz, ""}, Case{"x.bin", ramp(100), FileKind::raw, "raw"},
+        Case{"p1.pgm", "P5\n2 2\n255\n" + ramp(4), FileKind::images, "spacing"},
         Case{"v.mha", "ObjectType = Image\nNDims = 3\nDimSize = 2 2 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" + ramp(4),
              FileKind::volume, "spacing"}}) {
     const auto file = folder.put(name, bytes);
@@ -52,7 +52,7 @@ TEST(ImportFile, EachKindIsKnownByItsContentAndAsksForWhatIsMissing) {
   EXPECT_TRUE(failedWith(kindOfFile(folder / "nowhere"), ErrorCode::notFound));
 }
 
-TEST(ImportFile, AFolderIsPicturesOrDicomStillsAndHalfAVolumeSaysSo) {
+TEST(ImportFile, AFolderIsImagesOrDicomStillsAndHalfAVolumeSaysSo) {
   const TempFolder folder;
   CineOf still;
   still.frames = 1;
@@ -65,7 +65,7 @@ TEST(ImportFile, AFolderIsPicturesOrDicomStillsAndHalfAVolumeSaysSo) {
   static_cast<void>(folder.put("p1.pgm", "P5\n2 2\n255\n" + ramp(4)));
   const auto both = kindOfFile(folder.path());
   EXPECT_TRUE(failedWith(both, ErrorCode::unsupported));
-  EXPECT_TRUE(says(both, "pictures (.png, .jpg, .pgm: 1) and DICOM files (1)"));
+  EXPECT_TRUE(says(both, "images (.png, .jpg, .pgm: 1) and DICOM files (1)"));
 
   const TempFolder pair;
   const auto header = pair.put("brain.hdr", std::string("\x5C\x01\0\0", 4) + std::string(344, '\0'));
@@ -89,7 +89,7 @@ TEST(ImportFile, KindsOfOtherProgramsAndTextsAreNamedAndOnlySamplesAreAskedAbout
         Case{"sweep.imf", samples, {"ImFusion", ".mha, .nii or DICOM"}}, Case{"a.mat", samples, {"MATLAB"}},
         Case{"a.dat", "MATLAB 5.0 MAT-file" + samples, {"MATLAB"}}, Case{"a.h5", "\x89HDF\r\n\x1A\n" + samples, {"HDF5"}},
         Case{"a.vtk", "# vtk DataFile Version 3.0\n" + samples, {"a file of VTK"}},
-        Case{"a", "PK\x03\x04" + samples, {"a packed file", "unpack it"}}, Case{"a.bmp", "BM" + samples, {"a picture", ".png"}},
+        Case{"a", "PK\x03\x04" + samples, {"a packed file", "unpack it"}}, Case{"a.bmp", "BM" + samples, {"an image", ".png"}},
         Case{"v.volume", "NRRD0004\ntype: uchar\n", {"under another ending", ".nrrd"}},
         Case{"notes.md", "# Notes\n\nof the scan, f\xC3\xBCr alle\n", {"a text file"}},
         Case{"poses.txt", "1 0 0 0\r\n0 1 0 0\r\n", {"a text file"}},
@@ -142,11 +142,11 @@ TEST(ImportFile, AFileUnderAWrongEndingIsNamedWithTheRightOne) {
         Case{"f.nii", meta, "\"f.nii\" is a MetaImage under another ending; let its name end in .mha."},
         Case{"g.nrrd", "\x1F\x8B" + ramp(300), "\"g.nrrd\" is a packed file (gzip) under another ending; let its name end in .nii.gz."},
         Case{"h.jpg", dicom, "\"h.jpg\" is a DICOM file under another ending; let its name end in .dcm."},
-        Case{"i.png", "\xFF\xD8\xFF" + ramp(300), "\"i.png\" is a JPEG picture under another ending; let its name end in .jpg."},
+        Case{"i.png", "\xFF\xD8\xFF" + ramp(300), "\"i.png\" is a JPEG image under another ending; let its name end in .jpg."},
         Case{"j.mha", "", "\"j.mha\" is empty; get the file again."}, Case{"k.nrrd", "", "\"k.nrrd\" is empty; get the file again."},
         Case{"l.dat", nifti, "'l.dat' is a NIfTI volume under another ending, which is not read; let its name end in .nii."},
         Case{"m.dat", "\xFF\xD8\xFF" + ramp(300),
-             "'m.dat' is a JPEG picture under another ending, which is not read; let its name end in .jpg."}}) {
+             "'m.dat' is a JPEG image under another ending, which is not read; let its name end in .jpg."}}) {
     const auto read = importFile(folder.put(name, bytes), {});
     ASSERT_FALSE(read.has_value()) << name;
     EXPECT_EQ(read.error().sentence(), words);
@@ -310,25 +310,25 @@ TEST(ImportFile, AnswersAreTakenAsGivenAndToldInTheNotes) {
   EXPECT_TRUE(failedWith(importFile(file, answers), ErrorCode::badUsage));
 }
 
-TEST(PreviewImport, ShowsTheWholeFirstPictureWhateverTheAnswersWillBe) {
+TEST(PreviewImport, ShowsTheWholeFirstImageWhateverTheAnswersWillBe) {
   const TempFolder folder;
   CineOf of;
   of.pixels = ramp(144);
   of.burnedIn = "YES";
   of.regions = {{.x0 = 0, .y0 = 0, .x1 = 3, .y1 = 5}, {.x0 = 4, .y0 = 0, .x1 = 7, .y1 = 5}};
-  const auto still = previewImport(folder.put("a.dcm", cineFile(of)), FileKind::dicomPictures);
+  const auto still = previewImport(folder.put("a.dcm", cineFile(of)), FileKind::dicomImages);
   ASSERT_TRUE(succeeded(still));
-  EXPECT_EQ(still->picture.width, 8);
-  EXPECT_EQ(still->picture.height, 6);
+  EXPECT_EQ(still->image.width, 8);
+  EXPECT_EQ(still->image.height, 6);
   const std::string first = of.pixels.substr(0, 48);
-  EXPECT_EQ(still->picture.pixels, std::vector<std::uint8_t>(first.begin(), first.end()));
+  EXPECT_EQ(still->image.pixels, std::vector<std::uint8_t>(first.begin(), first.end()));
   ASSERT_TRUE(still->dicom.has_value());
   EXPECT_EQ(still->dicom->regions.size(), 2u);
   EXPECT_EQ(still->dicom->frames, 3u);
-  const auto stack = previewImport(folder.put("p1.pgm", "P5\n3 2\n255\n" + ramp(6)), FileKind::pictures);
+  const auto stack = previewImport(folder.put("p1.pgm", "P5\n3 2\n255\n" + ramp(6)), FileKind::images);
   ASSERT_TRUE(succeeded(stack));
-  EXPECT_EQ(stack->picture.width, 3);
-  EXPECT_EQ(stack->picture.pixels, (std::vector<std::uint8_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(stack->image.width, 3);
+  EXPECT_EQ(stack->image.pixels, (std::vector<std::uint8_t>{0, 1, 2, 3, 4, 5}));
 }
 
 TEST(PreviewImport, TellsHowManyVolumesAFileHoldsAndWhatSpacingItStates) {

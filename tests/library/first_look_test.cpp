@@ -49,7 +49,7 @@ TEST(FirstLook, FollowsTheVolume) {
 }
 
 TEST(FirstLook, PutsARecordingBeforeTheProbeAsItsOwnSawIt) {
-  // Beams go along +x of the file, the marker points to +z: nothing of it lies as a picture from the front would.
+  // Beams go along +x of the file, the marker points to +z: nothing of it lies as an image from the front would.
   Volume volume;
   volume.grid.dims = {60, 20, 40};
   volume.grid.spacing_mm = glm::dvec3(1.0);
@@ -60,7 +60,7 @@ TEST(FirstLook, PutsARecordingBeforeTheProbeAsItsOwnSawIt) {
       for (int i = 15; i < 60; ++i) volume.echo[volume.grid.indexOf(i, j, k)] = 100;  // 15 mm of nothing before the face
   Provenance recorded;
   for (int n = 0; n < 5; ++n) {
-    TracedFrame frame;
+    FrameProvenance frame;
     frame.imageToWorld.matrix = glm::dmat4(0, 0, 0.5, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 315, -50 + n, 700, 1);
     recorded.frames.push_back(frame);
   }

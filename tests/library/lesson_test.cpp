@@ -37,7 +37,7 @@ Lesson full() {
   lesson.tags = {"liver", "first steps"};
   lesson.sources = {"Somebody, 2014"};
   lesson.language = "de";
-  lesson.steps = {step("a", ReadTask{"media/a.png"}),
+  lesson.steps = {step("a", ReadingTask{"media/a.png"}),
                   step("b", WatchTask{"scans/b.seq.mha", 1.5, 9.25, {{2.0, "Here."}, {3.0, "There."}}}),
                   step("c", PlaneTask{"long", 4.0, 8.0}),
                   step("d", SweepTask{"liver", 0.75}),
@@ -48,7 +48,7 @@ Lesson full() {
                   step("i", AnswerTask{{}, 12.5, 0.5, "mm"}),
                   step("j", FreeTask{30.0, {"long", "liver"}})};
   LessonStep& first = lesson.steps.front();
-  first.lookFor = "A picture.";
+  first.lookFor = "An image.";
   first.after = "Well read.";
   first.caseId = "another";
   first.hints = {"Look.", "Look again."};
@@ -150,7 +150,7 @@ TEST(ProblemsOfALesson, NamesTheStepThatCannotBeWorkedThrough) {
   Lesson lesson = full();
   lesson.steps.front().caseId.clear();
   auto problems = problemsOf(lesson, scanned, {});
-  ASSERT_EQ(problems.size(), 2u) << "the picture and the recording are not there";
+  ASSERT_EQ(problems.size(), 2u) << "the image and the recording are not there";
   EXPECT_EQ(problems[0].stepId, "a");
   EXPECT_EQ(problems[1].stepId, "b");
   writeText(folder / "parts/lessons/media/a.png", "picture");

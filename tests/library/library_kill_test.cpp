@@ -55,8 +55,8 @@ void expectSoundLibrary(const fs::path& library, int leastRevision) {
     ASSERT_EQ(listed.size(), 1u);
     EXPECT_GE(listed.front().revision, leastRevision) << "what was published is lost";
   }
-  for (const PublishedCase& each : listed)
-    for (const PublishedCase& revision : publishedRevisions(library, each.id)) {
+  for (const CaseRevision& each : listed)
+    for (const CaseRevision& revision : publishedRevisions(library, each.id)) {
       EXPECT_TRUE(loadCase(revision.folder));
       const auto check = verifyCase(revision.folder);
       ASSERT_TRUE(check);

@@ -434,7 +434,7 @@ TEST(Publishing, WarnsOfTargetsFilesAndTextsThatDoNotFit) {
   makeVolumeCase(folder / "knee", "knee");
   auto knee = loadCase(folder / "knee");
   ASSERT_TRUE(knee);
-  writeText(folder / "knee/media/left-over.png", "no picture");
+  writeText(folder / "knee/media/left-over.png", "no image");
   knee->history = "Seen by Dr. Weber.";
   knee->expertPose = knee->startPose;
   knee->targets = {{.kind = CaseTarget::Kind::point, .name = "far", .at_mm = glm::dvec3(500, 0, 0), .tolerance_mm = 5.0}};

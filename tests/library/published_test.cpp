@@ -198,7 +198,7 @@ TEST(VerifyCase, NamesWhatIsMissingChangedAndMore) {
   const auto one = publishCase(folder / "mine", folder / "library");
   ASSERT_TRUE(one);
   fs::remove(one->folder / "scans/expert.txt");
-  writeText(one->folder / "media/übersicht.txt", "A picture of SORTS.");
+  writeText(one->folder / "media/übersicht.txt", "An image of SORTS.");
   writeText(one->folder / "more.txt", "more");
   writeText(one->folder / ".hidden", "not part of it");
   const auto check = verifyCase(one->folder);

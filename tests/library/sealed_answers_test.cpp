@@ -66,7 +66,7 @@ TEST(SealedAnswers, LeaveTraineesWhatTheyNeedToWork) {
   EXPECT_EQ(view->title, "A joint");
   EXPECT_EQ(view->patient.age_years, 41);
   EXPECT_EQ(view->history, "She fell.");
-  EXPECT_EQ(view->previousExaminations.at(0).pictures.at(0), "media/picture-1.png");
+  EXPECT_EQ(view->previousExaminations.at(0).images.at(0), "media/picture-1.png");
   EXPECT_TRUE(view->startPose);
   EXPECT_EQ(presetsOf(*view), std::vector<std::string>{"abdomen-convex-3.5"}) << "the console stands as in training";
   const auto lessons = lessonsOf(*view);
@@ -274,7 +274,7 @@ TEST(Examination, SaysWhatKeepsItFromBeingMade) {
   EXPECT_NE(problemWith([](json& m) { m["parts"]["lessons"]["lessons"][0]["steps"][2]["case"] = "other"; }, good).find("another case"),
             std::string::npos);
   EXPECT_NE(problemWith([](json& m) { m["mannequin"] = "volumes/v.mha"; }, good).find("mannequin of its own"), std::string::npos);
-  writeText(folder / "text.png", "no picture");
+  writeText(folder / "text.png", "no image");
   EXPECT_NE(problemWith([](json& m) { m["previous_examinations"][0]["pictures"][0] = "notes/SECRETFILE.txt"; }, good).find("PNG or JPEG"),
             std::string::npos);
   ASSERT_TRUE(makeExamination((makeAnsweredCase(folder / "fine"), folder / "fine"), folder / "e", good));

@@ -1,14 +1,14 @@
-// Every shipped case brings the picture that it begins with.
+// Every shipped case brings the image that it begins with.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "ew/imaging/picture.h"
+#include "ew/imaging/display_image.h"
 #include "ew/io/image_file.h"
 #include "ew/library/case_card.h"
 #include "ew/library/preparation.h"
-#include "ew/scanning/first_picture.h"
+#include "ew/scanning/first_image.h"
 #include "library/coarse_case.h"
 
 namespace ew::shipped_cards_test {
@@ -20,13 +20,13 @@ using test::TemporaryFolder;
 constexpr int kBlock_px = 8;
 
 /// Means of blocks of pixels, without the words below.
-std::vector<double> blocksOf(ImageView<const std::uint8_t> picture) {
+std::vector<double> blocksOf(ImageView<const std::uint8_t> image) {
   std::vector<double> blocks;
-  for (int top = 0; top + kBlock_px <= kCardPictureHeight_px; top += kBlock_px)
-    for (int left = 0; left + kBlock_px <= kCardPictureWidth_px; left += kBlock_px) {
+  for (int top = 0; top + kBlock_px <= kCardImageHeight_px; top += kBlock_px)
+    for (int left = 0; left + kBlock_px <= kCardImageWidth_px; left += kBlock_px) {
       double sum = 0.0;
       for (int y = top; y < top + kBlock_px; ++y)
-        for (int x = left; x < left + kBlock_px; ++x) sum += picture.row(y)[x];
+        for (int x = left; x < left + kBlock_px; ++x) sum += image.row(y)[x];
       blocks.push_back(sum / (kBlock_px * kBlock_px));
     }
   return blocks;
@@ -55,17 +55,17 @@ TEST_P(ShippedCard, IsWhatTheCaseBeginsWith) {
   ASSERT_TRUE(opened);
   const auto card = readImage(opened->folder / kCardName);
   ASSERT_TRUE(card) << card.error();
-  ASSERT_EQ(card->width, kCardPictureWidth_px);
-  ASSERT_EQ(card->height, kCardPictureHeight_px + kCardStripHeight_px);
+  ASSERT_EQ(card->width, kCardImageWidth_px);
+  ASSERT_EQ(card->height, kCardImageHeight_px + kCardStripHeight_px);
 
   const auto there = beginningsThere();
   ASSERT_TRUE(there) << there.error();
   const auto contents = readContents(*opened, noProgress(), {.draft = true});
   ASSERT_TRUE(contents) << contents.error();
   Scanner scanner;
-  const auto picture = firstPicture(scanner, subjectOf(*opened, *contents), *there, kCardPictureWidth_px, kCardPictureHeight_px);
-  ASSERT_TRUE(picture);
-  EXPECT_GT(correlation(blocksOf(picture->grey), blocksOf(viewOf(*card))), 0.9);
+  const auto image = firstImage(scanner, subjectOf(*opened, *contents), *there, kCardImageWidth_px, kCardImageHeight_px);
+  ASSERT_TRUE(image);
+  EXPECT_GT(correlation(blocksOf(image->grey), blocksOf(viewOf(*card))), 0.9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, ShippedCard, ::testing::ValuesIn(test::shippedIds()), test::nameOfCase);

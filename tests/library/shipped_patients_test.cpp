@@ -33,7 +33,7 @@ TEST(ShippedCases, KnowEveryTargetAndMeasurementTheyName) {
 
 /// How far caliper points lie from a plane at most, and whether they lie in front of the face. A section square to a curved vessel leans a
 /// little out of a section across the body, which is what the last millimetre or two are.
-double farthestFrom_mm(const ExpectedPlane& plane, const std::vector<glm::dvec3>& points_mm) {
+double farthestFrom_mm(const ReferencePlane& plane, const std::vector<glm::dvec3>& points_mm) {
   double farthest = 0.0;
   for (const glm::dvec3& p_mm : points_mm) {
     const glm::dvec3 at = carried(rigidInverse(plane.probeToWorld), p_mm);
@@ -55,10 +55,10 @@ TEST(ShippedCases, MeasureInThePlanesThatTheyName) {
       for (const LessonStep& step : lesson.steps)
         if (const auto* task = std::get_if<MeasureTask>(&step.task)) measuredInLessons.insert(task->measurement);
     lessons += measuredInLessons.size();
-    for (const ExpectedMeasurement& measured : truth->measurements) {
+    for (const ReferenceMeasurement& measured : truth->measurements) {
       SCOPED_TRACE(each.id + ", " + measured.name + ", " + measured.plane);
       double nearest_mm = std::numeric_limits<double>::infinity();
-      for (const ExpectedPlane& plane : truth->planes)
+      for (const ReferencePlane& plane : truth->planes)
         if (measured.plane.empty() || plane.name == measured.plane)
           nearest_mm = std::min(nearest_mm, farthestFrom_mm(plane, measured.points_mm));
       // What an author has measured names no plane; where a lesson asks for it, it has to lie in one that the case has. A patient's own
@@ -120,7 +120,7 @@ TEST(ShippedCases, ShowTheAortaWhereItsLessonSays) {
     for (const LessonStep& step : lesson.steps)
       if (const auto* task = std::get_if<PointTask>(&step.task); task != nullptr && task->target == "aorta") asked = &step;
   ASSERT_NE(asked, nullptr);
-  for (const char* told : {"large round vessel", "in front of the bright curve of the spine", "right of the picture",
+  for (const char* told : {"large round vessel", "in front of the bright curve of the spine", "right of the image",
                            "small one in front of it", "superior mesenteric artery"})
     EXPECT_NE(asked->lookFor.find(told), std::string::npos) << told << ": " << asked->lookFor;
 
@@ -134,9 +134,9 @@ TEST(ShippedCases, ShowTheAortaWhereItsLessonSays) {
   const Section aorta = sectionOf(**patient, "aorta", probeToWorld);
   const Section small = sectionOf(**patient, "superior mesenteric artery", probeToWorld);
   const Section spine = sectionOf(**patient, "vertebral body 3", probeToWorld);
-  ASSERT_GT(small.area_mm2, 10.0) << "both are in the picture";
+  ASSERT_GT(small.area_mm2, 10.0) << "both are in the image";
   EXPECT_GT(aorta.area_mm2, 4.0 * small.area_mm2);
-  EXPECT_LT(aorta.middle_mm.x, -5.0) << "the probe's +x, the marker, is the left of the picture";
+  EXPECT_LT(aorta.middle_mm.x, -5.0) << "the probe's +x, the marker, is the left of the image";
   EXPECT_LT(small.middle_mm.y, aorta.middle_mm.y - 10.0);
   EXPECT_GT(spine.middle_mm.y, aorta.middle_mm.y + 10.0);
   EXPECT_LT(glm::distance(aorta.middle_mm, spine.middle_mm), glm::distance(small.middle_mm, spine.middle_mm));
@@ -152,7 +152,7 @@ TEST(ShippedCases, NameProbesThatThereAre) {
   }
 }
 
-/// Share of a fan's body that lies beyond the patient's box, where nothing is known: the picture would end there.
+/// Share of a fan's body that lies beyond the patient's box, where nothing is known: the image would end there.
 double shareUnknown(const Patient& patient, const Probe& probe, const glm::dmat4& probeToWorld) {
   const Bounds box = boxOf(patient);
   int body = 0, unknown = 0;

@@ -7,7 +7,7 @@
 #include "ew/imaging/display.h"
 #include "ew/library/case_truth.h"
 #include "ew/library/preparation.h"
-#include "ew/scanning/first_picture.h"
+#include "ew/scanning/first_image.h"
 #include "library/coarse_case.h"
 
 namespace ew::shipped_planes_test {
@@ -19,19 +19,19 @@ using test::TemporaryFolder;
 constexpr int kWidth_px = 544, kHeight_px = 320;
 constexpr int kBlack = 16;  ///< up to this grey level a pixel says nothing
 
-/// What a person takes in of a picture first: how bright it is, and how much of it shows anything. Of the fan alone.
+/// What a person takes in of an image first: how bright it is, and how much of it shows anything. Of the fan alone.
 struct Light {
   double mean = 0.0;   ///< grey level, 0 to 255
   double share = 0.0;  ///< of pixels above kBlack
 };
 
-Light lightOf(const Picture& picture, const Spans& fan) {
+Light lightOf(const DisplayImage& image, const Spans& fan) {
   double sum = 0.0;
   std::size_t pixels = 0, lit = 0;
-  for (int y = 0; y < picture.height(); ++y)
+  for (int y = 0; y < image.height(); ++y)
     for (const RowSpan& run : fan[static_cast<std::size_t>(y)])
       for (int x = run.begin; x < run.end; ++x) {
-        const int grey = picture.grey.row(y)[x];
+        const int grey = image.grey.row(y)[x];
         sum += grey;
         lit += grey > kBlack ? 1 : 0;
         ++pixels;
@@ -74,11 +74,11 @@ TEST_P(ShippedPlanes, CanBeReadAtTheSettingsTheCaseBeginsWith) {
   Scanner scanner;
   scanner.show(subject);
   double sum = 0.0;
-  for (const ExpectedPlane& plane : truth->planes) {
+  for (const ReferencePlane& plane : truth->planes) {
     ScanState state = *first;
     state.pose = {.probeToWorld = plane.probeToWorld};
-    const Picture picture = scanner.make(state, kWidth_px, kHeight_px);
-    const Light light = lightOf(picture, fanSpans(state.probe, state.knobs, scanner.geometry()));
+    const DisplayImage image = scanner.make(state, kWidth_px, kHeight_px);
+    const Light light = lightOf(image, fanSpans(state.probe, state.knobs, scanner.geometry()));
     std::printf("%s, %s: mean grey %.0f, lit %.0f %%\n", GetParam().c_str(), plane.name.c_str(), light.mean, 100.0 * light.share);
     EXPECT_GT(light.share, 0.45) << plane.name;
     sum += light.mean;

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A recording as the window takes it, in one go.
-Result<TracedSweep> tracedFile(const fs::path& file, const SweepImportOptions& options) {
+Result<SweepReconstruction> tracedFile(const fs::path& file, const SweepImportOptions& options) {
   auto opened = openSweep(file, options, noProgress());
   if (!opened) return passOn(opened.error());
   return importTracedSweep(std::move(*opened), file, options, noProgress());
@@ -38,7 +38,7 @@ class VoxelSourceOfASweep : public testing::Test {
     for (int n = 0; n < frames; ++n) {
       SequenceFrame frame;
       frame.time_s = 10.0 + 0.25 * n;
-      NamedTransform image{"Image", "Reference", glm::dmat4(1.0), n == 3 ? PoseStatus::invalid : PoseStatus::ok};
+      FrameTransform image{"Image", "Reference", glm::dmat4(1.0), n == 3 ? PoseStatus::invalid : PoseStatus::ok};
       image.matrix[3] = glm::dvec4(100.0, 200.0, 2.0 * n, 1.0);
       frame.transforms.push_back(image);
       sequence.frames.push_back(frame);
@@ -62,7 +62,7 @@ class VoxelSourceOfASweep : public testing::Test {
   fs::path folder_;
 };
 
-/// A picture of 200 x 200 pixels whose plane is the world's x-y plane at z.
+/// An image of 200 x 200 pixels whose plane is the world's x-y plane at z.
 Pose poseAt(double z_mm) {
   Pose pose;
   pose.probeToWorld.matrix[3] = glm::dvec4(110.0, 200.0, z_mm, 1.0);
@@ -73,7 +73,7 @@ DisplayGeometry geometryOf(bool markerLeft, bool upsideDown, double pixel_mm) {
   return {200, 200, pixel_mm, {100.0, upsideDown ? 190.0 : 10.0}, markerLeft, upsideDown, 50.0};
 }
 
-TEST_F(VoxelSourceOfASweep, APixelLeadsToTheFrameAndItsPixelHoweverThePictureIsTurned) {
+TEST_F(VoxelSourceOfASweep, APixelLeadsToTheFrameAndItsPixelHoweverTheImageIsTurned) {
   const auto traced = tracedFile(sweep(), filledTo(0.0));
   ASSERT_TRUE(traced.has_value()) << traced.error();
   const Provenance& from = traced->provenance;
@@ -131,7 +131,7 @@ TEST_F(VoxelSourceOfASweep, ReadsTheFramesAgainUnlessTheRecordingIsGoneOrAnother
   ASSERT_TRUE(traced.has_value()) << traced.error();
   const auto images = readTracedImages(traced->provenance, noProgress());
   ASSERT_TRUE(images.has_value()) << images.error();
-  for (const TracedFrame& frame : traced->provenance.frames) EXPECT_EQ(images->framePixels(frame.number)[57], 20 + 10 * frame.number);
+  for (const FrameProvenance& frame : traced->provenance.frames) EXPECT_EQ(images->framePixels(frame.number)[57], 20 + 10 * frame.number);
   static_cast<void>(sweep(11));
   EXPECT_EQ(readTracedImages(traced->provenance, noProgress()).error().code, ErrorCode::badField);
   fs::remove(file);

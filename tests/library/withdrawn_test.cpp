@@ -35,7 +35,7 @@ void withdrawAsBefore(const TemporaryFolder& folder) {
 
 void expectSound(const fs::path& library, const std::vector<int>& revisions) {
   std::vector<int> found;
-  for (const PublishedCase& each : takenPublished(library, "knee")) {
+  for (const CaseRevision& each : takenPublished(library, "knee")) {
     found.push_back(each.revision);
     const auto check = verifyCase(each.folder);
     ASSERT_TRUE(check) << check.error();

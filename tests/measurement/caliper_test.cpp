@@ -25,7 +25,7 @@ double valueOf(const Caliper& drawn, FigureKind kind) {
   return figure == nullptr ? std::nan("") : figure->quantity.value;
 }
 
-/// A sharp picture with a known resolution everywhere.
+/// A sharp image with a known resolution everywhere.
 UncertaintyAt evenly(double pixel_mm, double axial_mm, double lateral_mm) {
   return [=](int, const glm::dvec2&) { return PointUncertainty{glm::dvec2(pixel_mm), axial_mm, lateral_mm, 0.0}; };
 }

@@ -14,7 +14,7 @@ using test::caliper;
 
 Examination examinationOf(const char* package) { return Examination(std::make_shared<const Package>(test::shipped(package))); }
 
-TEST(Examinations, KeepWhatWasMeasuredInPicturesThatAreGone) {
+TEST(Examinations, KeepWhatWasMeasuredInImagesThatAreGone) {
   Examination examination = examinationOf("obstetric");
   MeasurementList first, second;
   const int bpd = first.add(caliper(CaliperKind::distance, {{0, 40}, {0, 122}}), "", "BPD");
@@ -26,7 +26,7 @@ TEST(Examinations, KeepWhatWasMeasuredInPicturesThatAreGone) {
   EXPECT_DOUBLE_EQ(examination.of("BPD", "")[0].value, 82.0);
   EXPECT_DOUBLE_EQ(examination.worksheet().row("BPD")->value->value, 8.3);  // the mean, in cm
   EXPECT_NE(examination.worksheet().row("GA_BPD"), nullptr);
-  // A handle that is moved changes the value and keeps its place; what is deleted in its picture goes.
+  // A handle that is moved changes the value and keeps its place; what is deleted in its image goes.
   first.setCaliper(bpd, caliper(CaliperKind::distance, {{0, 40}, {0, 120}}));
   EXPECT_TRUE(examination.measuredIn(1, first.now(), {}).empty());
   ASSERT_EQ(examination.found().size(), 3u);

@@ -14,18 +14,18 @@ namespace {
 
 constexpr double kPixel_mm = 0.6, kAxial_mm = 0.9, kLateral_mm = 2.4;
 
-Finding found(std::uint64_t picture, int number, Caliper caliper) {
+Finding found(std::uint64_t image, int number, Caliper caliper) {
   const UncertaintyAt at = [](int, const glm::dvec2&) { return PointUncertainty{glm::dvec2(kPixel_mm), kAxial_mm, kLateral_mm, 0.0}; };
   Measurement measurement;
   measurement.number = number;
   measurement.caliper = std::move(caliper);
   auto measured = measure(measurement.caliper, at);
-  return {picture, measurement, measured.value_or(Measured{}), at};
+  return {image, measurement, measured.value_or(Measured{}), at};
 }
-Finding distance(std::uint64_t picture, int number, glm::dvec2 a, glm::dvec2 b) {
-  return found(picture, number, test::caliper(CaliperKind::distance, {a, b}));
+Finding distance(std::uint64_t image, int number, glm::dvec2 a, glm::dvec2 b) {
+  return found(image, number, test::caliper(CaliperKind::distance, {a, b}));
 }
-FigureRef length(std::uint64_t picture, int number) { return {picture, number, FigureKind::length}; }
+FigureRef length(std::uint64_t image, int number) { return {image, number, FigureKind::length}; }
 
 TEST(Findings, RatiosOfMeasurementsThatShareNothingAddTheirRelativeUncertainties) {
   Findings findings;
@@ -56,7 +56,7 @@ TEST(Findings, CrossesThatLieOnEachOtherAreOnePointSoTheRatioIsSurer) {
   EXPECT_LT(shared->quantity.uncertainty, apart->quantity.uncertainty);
   const double u = findings.all()[0].measured.figures[0].quantity.uncertainty;
   EXPECT_NEAR(shared->quantity.uncertainty, 0.5 * std::sqrt(u * u / 900 + u * u / 3600 - 2 * 0.5 * u * u / 1800), 1e-12);
-  // In another picture the same place is another one.
+  // In another image the same place is another one.
   findings.measuredIn(2, {distance(2, 1, {0, 0}, {0, 60})});
   EXPECT_EQ(findings.combine(CombinationKind::ratio, {length(1, 1), length(2, 1)})->correlation, 0.0);
 }
@@ -116,11 +116,11 @@ TEST(Findings, RefuseInASentenceWhatIsNoRatioAndNoVolume) {
             "A volume is of three lengths, but one of them is measured in deg; choose lengths.");
   EXPECT_EQ(sentence(CombinationKind::ratio, {length(1, 1), length(1, 9)}), "Measurement 9, which this result was made from, was deleted.");
   EXPECT_EQ(sentence(CombinationKind::biplane, {length(1, 1), length(1, 1)}),
-            "Discs of two planes need two measurements by discs; draw them in both pictures first.");
+            "Discs of two planes need two measurements by discs; draw them in both images first.");
   EXPECT_EQ(sentence(CombinationKind::ellipsoid, {length(1, 1)}), "This result is of 3 measurements, not of 1.");
 }
 
-TEST(Findings, AnEllipsoidIsOfThreeLengthsOfTwoPicturesAndAsSureAsTheyAre) {
+TEST(Findings, AnEllipsoidIsOfThreeLengthsOfTwoImagesAndAsSureAsTheyAre) {
   Findings findings;
   findings.measuredIn(1, {distance(1, 1, {-50, 40}, {50, 40})});
   findings.measuredIn(2, {distance(2, 1, {-30, 40}, {30, 40}), distance(2, 2, {0, 20}, {0, 100})});
@@ -134,10 +134,10 @@ TEST(Findings, AnEllipsoidIsOfThreeLengthsOfTwoPicturesAndAsSureAsTheyAre) {
       std::sqrt(std::pow(u(0).uncertainty / 100, 2) + std::pow(u(1).uncertainty / 60, 2) + std::pow(u(2).uncertainty / 80, 2));
   EXPECT_NEAR(volume->quantity.uncertainty, relative * volume->quantity.value, 1e-9);
   const auto flat = findings.combine(CombinationKind::ellipsoid, {length(2, 1), length(2, 1), length(2, 2)});
-  EXPECT_EQ(flat->remarks.size(), 2U);  // one picture, and one length twice
+  EXPECT_EQ(flat->remarks.size(), 2U);  // one image, and one length twice
 }
 
-TEST(Findings, DiscsOfTwoPicturesAreThoseOfABiplaneCaliper) {
+TEST(Findings, DiscsOfTwoImagesAreThoseOfABiplaneCaliper) {
   const std::vector<glm::dvec2> wide{{0, 0}, {60, 0}, {0, -10}, {60, -10}, {60, 10}, {0, 10}};
   const std::vector<glm::dvec2> narrow{{0, 0}, {60, 0}, {0, -5}, {60, -5}, {60, 5}, {0, 5}};
   Findings findings;
@@ -151,7 +151,7 @@ TEST(Findings, DiscsOfTwoPicturesAreThoseOfABiplaneCaliper) {
   EXPECT_FALSE(findings.combine(CombinationKind::biplane, {{1, 1, FigureKind::volume}, {1, 1, FigureKind::volume}}));
 }
 
-TEST(Findings, ResultsFollowTheirMeasurementsAndStayWhenThePictureGoes) {
+TEST(Findings, ResultsFollowTheirMeasurementsAndStayWhenTheImageGoes) {
   Findings findings;
   findings.measuredIn(7, {distance(7, 1, {0, 0}, {0, 10}), distance(7, 2, {20, 0}, {20, 40})});
   findings.measuredIn(8, {});  // nothing was measured: it is not counted
@@ -162,7 +162,7 @@ TEST(Findings, ResultsFollowTheirMeasurementsAndStayWhenThePictureGoes) {
   EXPECT_DOUBLE_EQ(value(), 20.0);
   findings.measuredIn(7, {distance(7, 1, {0, 0}, {0, 25}), distance(7, 2, {20, 0}, {20, 40})});
   EXPECT_DOUBLE_EQ(value(), 50.0);
-  EXPECT_EQ(findings.all()[0].picture, 7U);
+  EXPECT_EQ(findings.all()[0].image, 7U);
   findings.measuredIn(7, {distance(7, 2, {20, 0}, {20, 40})});
   EXPECT_FALSE(findings.combine(CombinationKind::percent, findings.combinations()[0].of));
   EXPECT_TRUE(findings.remove(1));
@@ -173,7 +173,7 @@ TEST(Findings, ResultsFollowTheirMeasurementsAndStayWhenThePictureGoes) {
 TEST(Findings, AreWrittenWithPlacesUnitsAndResults) {
   Findings findings;
   findings.measuredIn(3, {distance(3, 1, {0, 0}, {0, 12}), distance(3, 2, {9, 0}, {9, 48})});
-  findings.measuredIn(kStripPicture, {found(kStripPicture, 1, {CaliperKind::heartRate, {{0, {{1.0, 5.0}, {2.5, 5.0}}}}, 3})});
+  findings.measuredIn(kStripImage, {found(kStripImage, 1, {CaliperKind::heartRate, {{0, {{1.0, 5.0}, {2.5, 5.0}}}}, 3})});
   findings.add(CombinationKind::reduction, {length(3, 1), length(3, 2)});
   const auto json = toJson(findings, "A case");
   EXPECT_EQ(json["title"], "A case");

@@ -17,14 +17,14 @@ Measurements withCross(glm::dvec2 at) {
 
 /// Dark above 30 mm, bright below; 0.25 mm a pixel, the face in the middle of the upper border.
 struct Edge {
-  GreyImage picture{320, 240};
+  GreyImage image{320, 240};
   DisplayGeometry geometry;
   Edge(bool markerLeft, bool upsideDown) {
     geometry = {320, 240, 0.25, {160.0, upsideDown ? 239.0 : 0.0}, markerLeft, upsideDown, 60.0};
     for (int y = 0; y < 240; ++y)
       for (int x = 0; x < 320; ++x) {
         const double depth_mm = 0.25 * (upsideDown ? 239 - y : y);
-        viewOf(picture).row(y)[x] = depth_mm < 30.0 ? 20 : 200;
+        viewOf(image).row(y)[x] = depth_mm < 30.0 ? 20 : 200;
       }
   }
 };
@@ -32,7 +32,7 @@ struct Edge {
 TEST(SnapTarget, ACrossComesBeforeAllElseAndIsTakenExactly) {
   const Measurements shown = withCross({5.0, 30.0});
   const Edge edge(true, false);
-  const auto view = viewOf(std::as_const(edge.picture));
+  const auto view = viewOf(std::as_const(edge.image));
   const SnapTarget target = snapTarget({5.8, 30.9}, shown, {}, {}, view, edge.geometry);
   EXPECT_EQ(target, (SnapTarget{SnapKind::point, {5.0, 30.0}, 1}));
   SnapSearch own;
@@ -41,11 +41,11 @@ TEST(SnapTarget, ACrossComesBeforeAllElseAndIsTakenExactly) {
   EXPECT_EQ(snapTarget({5.0, 33.0}, shown, {}, {}).kind, SnapKind::none);  // beyond the reach
 }
 
-TEST(SnapTarget, AnEdgeIsFoundAlongTheLineHoweverThePictureIsTurned) {
+TEST(SnapTarget, AnEdgeIsFoundAlongTheLineHoweverTheImageIsTurned) {
   for (const bool markerLeft : {true, false})
     for (const bool upsideDown : {true, false}) {
       const Edge edge(markerLeft, upsideDown);
-      const auto view = viewOf(std::as_const(edge.picture));
+      const auto view = viewOf(std::as_const(edge.image));
       const SnapTarget first = snapTarget({12.0, 29.0}, {}, {}, {}, view, edge.geometry);
       EXPECT_EQ(first.kind, SnapKind::edge);
       EXPECT_DOUBLE_EQ(first.at.x, 12.0);

@@ -10,7 +10,7 @@
 namespace ew::measurement::tracing_test {
 namespace {
 
-constexpr PictureGeometry kGeometry{{0.4, 0.4}, {-90.0, 0.0}};
+constexpr ImageGeometry kGeometry{{0.4, 0.4}, {-90.0, 0.0}};
 
 /// Speckle: the envelope of a complex Gaussian field of about 0.6 mm (axial) by 1.2 mm (lateral), log compressed over 60 dB. Inside of the
 /// ellipse `inside_db` below the tissue around it, and a bright wall of 1.5 mm, as of a skull or of skin; `wall_db` above.
@@ -72,7 +72,7 @@ TEST(Snapping, FindsAStepToAFractionOfAPixel) {
   for (int y = 0; y < 40; ++y)
     for (int x = 10; x < 40; ++x)
       image.pixels[static_cast<std::size_t>(y * 40 + x)] = x == 10 ? static_cast<std::uint8_t>(20 + 0.2 * 200) : 220;
-  const PictureGeometry geometry{{0.5, 0.5}, {0.0, 0.0}};
+  const ImageGeometry geometry{{0.5, 0.5}, {0.0, 0.0}};
   const auto snapped = snapToEdge(viewOf(image), geometry, {7.0, 10.0}, {1, 0}, {.reach_mm = 4.0});
   ASSERT_TRUE(snapped.isFound);
   EXPECT_NEAR(snapped.at_mm.x, 0.5 * 10.3, 0.05);
@@ -96,15 +96,15 @@ TEST(Snapping, StaysWhereItIsWithoutAnEdgeOrOfTheOtherSide) {
   EXPECT_FALSE(snapToEdge(viewOf(even), {{0.5, 0.5}, {0, 0}}, {7.0, 10.0}, {0, 0}).isFound);
 }
 
-TEST(EdgeTracing, ReadsAPictureWithPaddedRowsAsWithout) {
+TEST(EdgeTracing, ReadsAnImageWithPaddedRowsAsWithout) {
   const Ellipse truth{{0.0, 75.0}, 50.0, 40.0, 0.0};
   const GreyImage image = speckled(truth, -20.0, 0.0, 3);
   Image<std::uint8_t> padded(image.width + 13, image.height, 255);
   for (int y = 0; y < image.height; ++y) std::copy_n(viewOf(image).row(y), image.width, viewOf(padded).row(y));
   const ImageView<const std::uint8_t> view{padded.pixels.data(), image.width, image.height, padded.width};
   EdgeTracer a, b;
-  ASSERT_TRUE(a.setPicture(viewOf(image), kGeometry));
-  ASSERT_TRUE(b.setPicture(view, kGeometry));
+  ASSERT_TRUE(a.setImage(viewOf(image), kGeometry));
+  ASSERT_TRUE(b.setImage(view, kGeometry));
   const auto clicks = roughClicks(truth, 4, 2.0, 7);  // too few for an ellipse: far ones are joined along the edge
   EXPECT_EQ(*a.traceAround(clicks), *b.traceAround(clicks));
 }
@@ -113,7 +113,7 @@ TEST(EdgeTracing, ReadsAPictureWithPaddedRowsAsWithout) {
 double tracedError_percent(const Ellipse& truth, double inside_db, double wall_db, std::uint64_t seed, const TracingOptions& options = {}) {
   const GreyImage image = speckled(truth, inside_db, wall_db, seed);
   EdgeTracer tracer;
-  if (!tracer.setPicture(viewOf(image), kGeometry, options)) return 100.0;
+  if (!tracer.setImage(viewOf(image), kGeometry, options)) return 100.0;
   const auto outline = tracer.traceAround(roughClicks(truth, 8, 2.0, seed + 100));
   if (!outline) return 100.0;
   return 100.0 * (circumferenceOf(*outline) / ellipseCircumference_mm(truth.semiMajor_mm, truth.semiMinor_mm) - 1.0);
@@ -136,13 +136,13 @@ TEST(AssistedMeasurement, OfAHeadFindsTheOuterBorderOfItsBrightSkull) {
   }
 }
 
-TEST(EdgeTracing, RefusesAPictureThatIsNone) {
+TEST(EdgeTracing, RefusesAnImageThatIsNone) {
   EdgeTracer tracer;
   const GreyImage tiny(4, 4);
-  EXPECT_EQ(tracer.setPicture(viewOf(tiny), kGeometry).error().sentence(), "The picture is too small to trace in: 4 x 4 pixels.");
-  EXPECT_FALSE(tracer.hasPicture());
+  EXPECT_EQ(tracer.setImage(viewOf(tiny), kGeometry).error().sentence(), "The image is too small to trace in: 4 x 4 pixels.");
+  EXPECT_FALSE(tracer.hasImage());
   EXPECT_EQ(tracer.traceAround(std::vector<glm::dvec2>{{0, 0}, {1, 1}, {2, 0}}).error().sentence(),
-            "There is no picture to trace in; freeze one first.");
+            "There is no image to trace in; freeze one first.");
 }
 
 }  // namespace

@@ -250,7 +250,7 @@ TEST(NormalAbdomen, ShowsTheSpleenAlongItsAxisBelowTheRibs) {
   const testing::DrawnPatient patient("upper-abdomen-normal");
   const glm::dmat4 pose = patient.plane("spleen lengthwise").probeToWorld.matrix;
   EXPECT_GT(pose[0].z, 0.7) << "the marker points to the head";
-  // Lines that bone takes before they are 60 mm deep; what the others meet, over the part of the picture towards the head or the feet.
+  // Lines that bone takes before they are 60 mm deep; what the others meet, over the part of the image towards the head or the feet.
   int open = 0, lines = 0;
   std::map<std::string, int> towardsHead, towardsFeet;
   for (double angle = -0.54; angle <= 0.54; angle += 0.02, ++lines) {

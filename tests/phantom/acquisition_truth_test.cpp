@@ -28,8 +28,8 @@ std::shared_ptr<const Patient> made(std::string recipe) {
   return *patient;
 }
 
-std::vector<PosedFrame> posed(const Sequence& sequence, const SweepPoses& poses) {
-  std::vector<PosedFrame> frames;
+std::vector<TrackedFrame> posed(const Sequence& sequence, const SweepPoses& poses) {
+  std::vector<TrackedFrame> frames;
   for (std::size_t n = 0; n < sequence.frames.size(); ++n)
     frames.push_back({{sequence.framePixels(n).data(), sequence.width, sequence.height, sequence.width}, poses.imageToWorld[n].value()});
   return frames;

@@ -99,7 +99,7 @@ void expectClosedSolid(const Grid& grid, const std::vector<float>& d) {
     }
 }
 
-/// At the size of cells that its picture is made with, so that fingers stay apart.
+/// At the size of cells that its image is made with, so that fingers stay apart.
 void expectClosedSolid(const BodyShape& body) {
   std::vector<float> distances;
   const Grid grid = gridAround(body, 7.0);

@@ -116,7 +116,7 @@ class DrawnPatient {
     ADD_FAILURE() << "no plane " << name;
     return {};
   }
-  /// Expects every standard plane to begin on the skin and to cut what it says within a picture.
+  /// Expects every standard plane to begin on the skin and to cut what it says within an image.
   void expectPlanesShowWhatTheySay(double halfWidth_mm, double depth_mm) const {
     const auto planes = planesOf(*patient_);
     EXPECT_FALSE(planes.empty());

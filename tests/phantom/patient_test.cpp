@@ -27,7 +27,7 @@ int labelOf(const Patient& patient, const std::string& organ) {
 }
 
 /// The shipped patient at 2 mm: labels only matter, so one seed serves all tests.
-const VoxelisedPatient& shippedVoxels() {
+const VoxelPatient& shippedVoxels() {
   static const auto made = voxelise(shipped(), {.spacing_mm = 2.0, .threads = 2}, noProgress());
   if (!made) {
     ADD_FAILURE() << made.error();

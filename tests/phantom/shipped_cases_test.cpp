@@ -101,10 +101,10 @@ TEST(ShippedMannequins, FollowTheirSchemaAndCanBeRead) {
 
 TEST_P(ShippedCase, StartsWithTheMarkerTowardsThePatientsRightOrHead) {
   const glm::dvec3 marked(startPose()[0]);
-  EXPECT_GT(std::max(-marked.x, marked.z), 0.7) << "so that the picture, marker at the left, has right or head at the left";
+  EXPECT_GT(std::max(-marked.x, marked.z), 0.7) << "so that the image, marker at the left, has right or head at the left";
 }
 
-TEST(GallStoneCase, HasTheStoneAndTheLongGallBladderInTheExpertsPicture) {
+TEST(GallStoneCase, HasTheStoneAndTheLongGallBladderInTheExpertsImage) {
   const auto manifest = jsonOf(std::string(EW_SOURCE_DIR) + "/cases/upper-abdomen-gall-stone/case.json");
   const glm::dmat4 worldToProbe = glm::inverse(matrixFromRows(manifest.at("expert_pose").get<std::array<double, 16>>()));
   const auto inProbe = [&](const glm::dvec3& p_world) { return glm::dvec3(worldToProbe * glm::dvec4(p_world, 1.0)); };
@@ -113,7 +113,7 @@ TEST(GallStoneCase, HasTheStoneAndTheLongGallBladderInTheExpertsPicture) {
   EXPECT_LT(std::abs(stone.x), 15.0);
   EXPECT_NEAR(stone.y, 65.0, 15.0) << "depth";
   for (const glm::dvec3& onAxis : {glm::dvec3(-42, -10, -40), glm::dvec3(-55, -38, -60), glm::dvec3(-63, -55, -71)})
-    EXPECT_LT(std::abs(inProbe(onAxis).z), 4.0) << "neck, body and fundus lie in one picture";
+    EXPECT_LT(std::abs(inProbe(onAxis).z), 4.0) << "neck, body and fundus lie in one image";
 }
 
 /// A trainee is to look for the finding: nothing that is shown before the examination names it, and the probe does not stand on it.

@@ -97,7 +97,7 @@ Found findBeads(const Volume& volume, const std::vector<Thread>& beads) {
 }
 
 Volume volumeOf(const VirtualSweep& sweep, const SweepPoses& poses) {
-  std::vector<PosedFrame> frames;
+  std::vector<TrackedFrame> frames;
   const Sequence& sequence = sweep.sequence;
   for (std::size_t n = 0; n < poses.imageToWorld.size(); ++n)
     if (poses.imageToWorld[n])

@@ -30,7 +30,7 @@ constexpr const char* kBall = R"({"name": "ball", "tissue": "bright", "border": 
 constexpr const char* kPlane = R"({"name": "plane", "tissue": "dark", "border": {"echo_level": 200, "width_mm": 0.5},
     "shape": {"half_space": {"point_mm": [0, 0, 3.3], "outward": [0.36, 0.48, 0.8]}}})";
 
-VoxelisedPatient mapped(const std::string& recipe, double spacing_mm = kSpacing_mm, int threads = 0) {
+VoxelPatient mapped(const std::string& recipe, double spacing_mm = kSpacing_mm, int threads = 0) {
   const auto patient = patientOf(recipe);
   if (!patient) {
     ADD_FAILURE() << patient.error();

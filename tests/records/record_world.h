@@ -74,7 +74,7 @@ inline Lesson someLesson() {
     one.task = std::move(task);
     lesson.steps.push_back(one);
   };
-  step("read", "Read this", ReadTask{});
+  step("read", "Read this", ReadingTask{});
   step("plane", "Find the portal vein", PlaneTask{"portal", {}, {}});
   step("question", "What is it?", AnswerTask{});
   step("free", "Scan freely", FreeTask{});

@@ -179,7 +179,7 @@ inline std::vector<PressedView> pressedViews(const ViewPlan& plan, const std::fi
       ADD_FAILURE() << sweep.error();
       return {};
     }
-    std::vector<PosedFrame> frames;
+    std::vector<TrackedFrame> frames;
     std::vector<std::unique_ptr<Deformation>> pressed;
     for (std::size_t f = 0; f < sweep->trueProbeToWorld.size(); ++f) {
       const Transform<frame::World, frame::Image> imageToWorld{sweep->trueProbeToWorld[f].matrix * sweep->imageToProbe};

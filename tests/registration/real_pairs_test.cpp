@@ -32,7 +32,7 @@ struct Recording {
 
   /// The volume of these frames when every pose is `off` after the given one.
   [[nodiscard]] Volume volume(const Transform<frame::Moving, frame::World>& off, double spacing_mm) const {
-    std::vector<PosedFrame> frames;
+    std::vector<TrackedFrame> frames;
     for (std::size_t n = 0; n < poses.imageToWorld.size(); ++n)
       if (poses.imageToWorld[n])
         frames.push_back({{sequence.framePixels(n).data(), sequence.width, sequence.height, sequence.width},

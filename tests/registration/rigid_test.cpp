@@ -83,7 +83,7 @@ TEST(NormalEquations, AreThoseOfAPlainSumOverVoxels) {
   const auto m = comparableImages({&pair.moving}, voxels, {}, noProgress());
   ASSERT_TRUE(f && m);
   const ComparableImage& fixed = (*f)[0];
-  const PackedImage moving = packed((*m)[0]);
+  const KernelImage moving = packed((*m)[0]);
   const glm::dvec3 centre(3.0, -2.0, 1.0);
   const double loss = 1.5;
   PoseSums sums;

@@ -17,7 +17,7 @@ fs::path measuredAttempt(const AssessedWorld& world, const StepAnswer& answer) {
   return world.keep("20261101-100000-aaaaaaaa", {{.step = "measure", .answer = answer}, {.step = "answer", .answer = OptionsAnswer{{0}}}});
 }
 
-ReportedAttempt readBack(const fs::path& folder) {
+ReportAttempt readBack(const fs::path& folder) {
   auto read = readReportedAttempt(folder);
   EXPECT_TRUE(test::succeeded(read));
   return *read;
@@ -42,7 +42,7 @@ TEST(MeasurementsOfAnAttempt, LeaveOutWhatIsNoMeasurementAndSaySo) {
   const auto lesson = readReportedLesson("ball", "about-balls", world.library(), {});
   for (const nlohmann::json& answer : {nlohmann::json{{"value", "40"}, {"unit", "mm"}},
                                        nlohmann::json{{"value", 40.0}, {"unit", "furlong"}}, nlohmann::json{{"value", 40.0}}}) {
-    ReportedAttempt one;
+    ReportAttempt one;
     one.attempt.caseId = "ball";
     one.attempt.outcomes = {StepOutcome{}};
     one.attempt.outcomes[0].stepId = "measure";

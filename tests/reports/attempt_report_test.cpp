@@ -28,7 +28,7 @@ TEST(ReportOfAnAttempt, SaysWhoWhatWhenAndWhatItIsWorth) {
 }
 
 TEST(ReportOfAnAttempt, SaysWhereALearningSystemWasToldAnotherVerdict) {
-  ReportedAttempt one = madeAttempt(3, 0.85, 0.4);
+  ReportAttempt one = madeAttempt(3, 0.85, 0.4);
   EXPECT_FALSE(holds(plainTextOf(attemptReport(one, madeLesson(), someCodes())), "learning system"));
   one.attempt.masteryScore = 0.5;
   const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
@@ -39,7 +39,7 @@ TEST(ReportOfAnAttempt, SaysWhereALearningSystemWasToldAnotherVerdict) {
 }
 
 TEST(ReportOfAnAttempt, NamesNobodyUnlessAsked) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.9, "Ana Gomez");
+  ReportAttempt one = madeAttempt(1, 0.9, 0.9, "Ana Gomez");
   one.ratings.ratings = {test::ratedBy("Dr. Rateress", 4, 3)};
   one.comments.files = {{"Prof. Comment", {ReviewComment{"a", "plane", "", 2.5, "Look here.", {}, {}, {}, {}}}, {}}};
   const std::string coded = htmlOf(attemptReport(one, madeLesson(), someCodes()), {});
@@ -53,7 +53,7 @@ TEST(ReportOfAnAttempt, NamesNobodyUnlessAsked) {
 }
 
 TEST(ReportOfAnAttempt, HasMetricsBesideTheExpertsOfTheSameVersion) {
-  ReportedLesson lesson = madeLesson();
+  ReportLesson lesson = madeLesson();
   lesson.expert = madeAttempt(99, 1.0, 1.0).score;
   lesson.expert->steps[1].metrics = {{"path_length", 1, 120.0}, {"hints", 2, 0.0}};
   lesson.plan.at("plane").metrics = {{"path_length", 2.0, 500.0, 100.0}};
@@ -68,14 +68,14 @@ TEST(ReportOfAnAttempt, HasMetricsBesideTheExpertsOfTheSameVersion) {
 }
 
 TEST(ReportOfAnAttempt, SaysNothingOfWeightsThatAnotherPlanHad) {
-  ReportedLesson lesson = madeLesson();
+  ReportLesson lesson = madeLesson();
   lesson.plan.revision = 4;
   lesson.plan.at("plane").metrics = {{"path_length", 2.0, 500.0, 100.0}};
   EXPECT_FALSE(holds(plainTextOf(attemptReport(madeAttempt(1, 0.9, 0.9), lesson, someCodes())), "weight 2"));
 }
 
 TEST(ReportOfAnAttempt, ListsEarlierScoresAndRatings) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.9);
   one.earlier = {*one.score};
   one.earlier[0].number = 1;
   one.earlier[0].score = 0.33;
@@ -90,7 +90,7 @@ TEST(ReportOfAnAttempt, ListsEarlierScoresAndRatings) {
 }
 
 TEST(ReportOfAnAttempt, ListsTheLatestScoreAmongTheEarlierOnesWhereThePlanHasChangedSince) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.2);
   one.lesson = test::triedLesson();
   const std::string listed = "2 | 2026-11-01 11:01 UTC | 55 % | not passed | 0 | 0.1.0";
   EXPECT_FALSE(holds(plainTextOf(attemptReport(one, madeLesson(), someCodes())), listed)) << "it counts";
@@ -104,7 +104,7 @@ TEST(ReportOfAnAttempt, ListsTheLatestScoreAmongTheEarlierOnesWhereThePlanHasCha
 }
 
 TEST(ReportOfAnAttempt, SaysThatItsScoreIsOfAnEarlierStateOfIt) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.2);
   one.lesson = test::triedLesson();
   one.score->outcomes = 2;
   one.score->wasFinished = true;
@@ -114,7 +114,7 @@ TEST(ReportOfAnAttempt, SaysThatItsScoreIsOfAnEarlierStateOfIt) {
 }
 
 TEST(ReportOfAnAttempt, SaysOfALessonThatIsGoneThatItsScoreDoesNotCountRatherThanThatThereIsNone) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.2);
   one.plan.revision = 1;
   const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
   EXPECT_TRUE(holds(text, "Score: none that counts now")) << text;
@@ -123,11 +123,11 @@ TEST(ReportOfAnAttempt, SaysOfALessonThatIsGoneThatItsScoreDoesNotCountRatherTha
 }
 
 TEST(ReportOfAnAttempt, OfReadingAloneSaysThatAllStepsCountAlike) {
-  ReportedAttempt unscored = test::readingAttempt(), scored = unscored;
+  ReportAttempt unscored = test::readingAttempt(), scored = unscored;
   scored.score = scored.result().counted;  // what scoring makes of such a lesson
   scored.score->number = 1;
   scored.score->key = "0123456789abcdef";
-  for (const ReportedAttempt& one : {unscored, scored}) {
+  for (const ReportAttempt& one : {unscored, scored}) {
     const ReportDocument document = attemptReport(one, madeLesson(), someCodes());
     const std::string text = plainTextOf(document);
     EXPECT_TRUE(holds(text, "Score: 90 % | Verdict: passed | Steps passed: 2 of 2")) << text;
@@ -141,13 +141,13 @@ TEST(ReportOfAnAttempt, OfReadingAloneSaysThatAllStepsCountAlike) {
         if (const auto* shown = std::get_if<BarsPlot>(&plot->data)) bars += shown->bars.size();
     EXPECT_EQ(bars, 2u);
   }
-  const ReportedAttempt usual = madeAttempt(1, 0.9, 0.9);
+  const ReportAttempt usual = madeAttempt(1, 0.9, 0.9);
   EXPECT_EQ(test::countOf(plainTextOf(attemptReport(usual, madeLesson(), someCodes())), "(does not count)"), 1u)
       << "where others count, reading does not";
 }
 
 TEST(ReportOfAnAttempt, WithoutAScoreHasWhatTheLessonSaid) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.2);
   one.score.reset();
   one.attempt.finishedAt.reset();
   const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
@@ -157,7 +157,7 @@ TEST(ReportOfAnAttempt, WithoutAScoreHasWhatTheLessonSaid) {
 }
 
 TEST(ReportOfAnAttempt, SaysWhatWasHandedIn) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.2);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.2);
   one.score.reset();
   for (StepOutcome& outcome : one.attempt.outcomes) outcome.verdict = StepVerdict::handedIn;
   for (const char* id : {"read", "plane", "answer"}) {
@@ -173,7 +173,7 @@ TEST(ReportOfAnAttempt, SaysWhatWasHandedIn) {
 
 TEST(ReportOfAnAttempt, SaysWhenInTheScanACommentIsAndWhoWroteIt) {
   const test::TemporaryFolder folder;
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.9);
   one.folder = folder.path();
   // The scan's clock began with the program, a quarter of an hour before the step.
   ScanRecording recording{"ball", "Ball", {64, 48}, test::scanAlong([](double) { return test::heldAt(); }, 5.0, 20.0, 892.6), {}};
@@ -195,7 +195,7 @@ TEST(ReportOfAnAttempt, SaysWhenInTheScanACommentIsAndWhoWroteIt) {
 }
 
 TEST(ReportOfAnAttempt, TellsFilesWithoutTheFoldersOfSomebodysComputer) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.9);
   one.score->notes = {
       say<"The recording of the step '%1' cannot be read: %2">(std::string("plane"), verbatim("'/home/ana gomez/Library/x.mha' is torn."))};
   const std::string text = plainTextOf(attemptReport(one, madeLesson(), someCodes()));
@@ -204,9 +204,9 @@ TEST(ReportOfAnAttempt, TellsFilesWithoutTheFoldersOfSomebodysComputer) {
 }
 
 TEST(ReportOfAnAttempt, HasTheCasesOwnWordsInTheReportsLanguage) {
-  ReportedLesson lesson = madeLesson();
+  ReportLesson lesson = madeLesson();
   lesson.words = CaseWords({{"Step plane", "Die Ebene"}, {"Because it is round.", "Weil sie rund ist."}});
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.9);
   one.score->steps[2].remarks = {{false, verbatim("Because it is round.")}};
   const std::string text = plainTextOf(attemptReport(one, lesson, someCodes()));
   EXPECT_TRUE(holds(text, "2. Die Ebene")) << text;

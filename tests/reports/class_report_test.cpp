@@ -12,7 +12,7 @@ using test::plainTextOf;
 using test::ratedBy;
 using test::someCodes;
 
-std::vector<ReportedAttempt> someClass() {
+std::vector<ReportAttempt> someClass() {
   return {madeAttempt(1, 0.9, 0.2, "A"), madeAttempt(2, 0.8, 0.9, "B"), madeAttempt(3, 0.6, 0.3, "C"), madeAttempt(4, 0.7, 0.1, "D")};
 }
 
@@ -67,7 +67,7 @@ TEST(FiguresOfAClass, TakeTheStandingOfAnAttemptFromRatersWhoAgree) {
 }
 
 TEST(FiguresOfAClass, SuggestThePassLevelWhereTheGroupsCross) {
-  std::vector<ReportedAttempt> attempts;
+  std::vector<ReportAttempt> attempts;
   std::vector<double> failing, passing;
   for (int n = 0; n < 12; ++n) {
     const bool isGood = n % 2 == 0;
@@ -85,7 +85,7 @@ TEST(FiguresOfAClass, SuggestThePassLevelWhereTheGroupsCross) {
 }
 
 TEST(FiguresOfAClass, SuggestNothingFromAGroupOfOneAndTheSameScore) {
-  std::vector<ReportedAttempt> attempts;
+  std::vector<ReportAttempt> attempts;
   for (int n = 0; n < 8; ++n) {
     const double score = n < 4 ? 0.0 : 0.8 + 0.01 * n;
     attempts.push_back(madeAttempt(n, score, score));
@@ -109,9 +109,9 @@ TEST(FiguresOfAClass, TakeWhatAnInstructorHasSaidBeforeWhatRatersSay) {
 
 /// Both groups are as good on the whole, and not at each step.
 TEST(ReportOfAClass, HasTheLevelsOfStepsThoughTheLessonHasNone) {
-  const std::vector<ReportedAttempt> attempts = {madeAttempt(1, 0.3, 0.9), madeAttempt(2, 0.4, 0.8), madeAttempt(3, 0.9, 0.3),
-                                                 madeAttempt(4, 0.8, 0.4)};
-  ReportedLesson lesson = madeLesson();
+  const std::vector<ReportAttempt> attempts = {madeAttempt(1, 0.3, 0.9), madeAttempt(2, 0.4, 0.8), madeAttempt(3, 0.9, 0.3),
+                                               madeAttempt(4, 0.8, 0.4)};
+  ReportLesson lesson = madeLesson();
   for (std::size_t n = 0; n < attempts.size(); ++n)
     lesson.standings[attempts[n].attempt.id] = n < 2 ? Standing::shouldFail : Standing::shouldPass;
   const ClassFigures figures = classFiguresOf(attempts, lesson.standings);
@@ -126,7 +126,7 @@ TEST(ReportOfAClass, HasTheLevelsOfStepsThoughTheLessonHasNone) {
 TEST(ReportOfAClass, SaysThatStandingsCannotBeReadAndGoesOnWithRaters) {
   auto attempts = someClass();
   attempts[0].ratings.ratings = {ratedBy("R", 4, 4)};
-  ReportedLesson lesson = madeLesson();
+  ReportLesson lesson = madeLesson();
   lesson.standingsProblem = Error{ErrorCode::badHeader, verbatim("\"/home/ana/standings.json\" is torn."), {}};
   const std::string text = plainTextOf(classReport(attempts, lesson, someCodes()));
   EXPECT_TRUE(holds(text, "so raters' word alone counts: \"standings.json\" is torn.")) << text;
@@ -134,7 +134,7 @@ TEST(ReportOfAClass, SaysThatStandingsCannotBeReadAndGoesOnWithRaters) {
 }
 
 TEST(ReportOfAClass, HasTheFiguresThatTheTaskWasJudgedByWhereNothingWasScored) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.9);
   one.attempt.outcomes[1].figures = {{"angle", 4.25, "deg"}};
   EXPECT_FALSE(holds(plainTextOf(classReport({one}, madeLesson(), someCodes())), "through the task")) << "a scored one has metrics";
   one.score.reset();
@@ -145,7 +145,7 @@ TEST(ReportOfAClass, HasTheFiguresThatTheTaskWasJudgedByWhereNothingWasScored) {
 }
 
 TEST(ReportOfAClass, HasEveryAttemptTheHardestStepAndMarksWhatIsOff) {
-  ReportedLesson lesson = madeLesson();
+  ReportLesson lesson = madeLesson();
   lesson.offByDefault = {{"plane", "hints"}};
   const std::vector<std::string> pages = {"a.html", "b.html", "c.html", "d.html"};
   const ReportDocument document = classReport(someClass(), lesson, someCodes(), pages);
@@ -160,9 +160,9 @@ TEST(ReportOfAClass, HasEveryAttemptTheHardestStepAndMarksWhatIsOff) {
 }
 
 TEST(ReportOfAClass, AtALessonOfReadingAloneCountsAllStepsAlike) {
-  ReportedAttempt failed = test::readingAttempt();
+  ReportAttempt failed = test::readingAttempt();
   failed.attempt.outcomes[1].verdict = StepVerdict::failed;
-  const std::vector<ReportedAttempt> attempts = {test::readingAttempt(), failed};
+  const std::vector<ReportAttempt> attempts = {test::readingAttempt(), failed};
   const ClassFigures figures = classFiguresOf(attempts);
   ASSERT_EQ(figures.steps.size(), 2u);
   for (const ClassStep& step : figures.steps) EXPECT_EQ(step.weight, 1.0) << step.stepId;
@@ -184,7 +184,7 @@ TEST(ReportOfAClass, OfOneAttemptIsWhole) {
 }
 
 TEST(ReportOfAClass, OfAttemptsWithoutScoresSaysWhatToDo) {
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.9);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.9);
   one.score.reset();
   const std::string text = plainTextOf(classReport({one}, madeLesson(), someCodes()));
   EXPECT_TRUE(holds(text, "No attempt has a score yet"));
@@ -213,7 +213,7 @@ TEST(ReportOfAClass, HasTheAgreementOfItsRatersWithoutTheirNames) {
 }
 
 TEST(ReportOfAClass, OfAThousandAttemptsIsAPageBelowFiveMegabytes) {
-  std::vector<ReportedAttempt> attempts;
+  std::vector<ReportAttempt> attempts;
   std::vector<std::string> pages;
   for (int n = 0; n < 1000; ++n) {
     attempts.push_back(madeAttempt(n, 0.001 * (n * 7919 % 1000), 0.001 * (n * 104729 % 1000), "Person " + std::to_string(n % 200)));

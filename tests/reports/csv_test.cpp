@@ -48,10 +48,10 @@ TEST(Table, HasALineForEachAttemptAndStepWithEveryMetric) {
 
 TEST(Table, SaysOnlyOfPosesThatScoringLookedAtHowManyAreValid) {
   EW_NEEDS_PROGRAM("python3");
-  ReportedAttempt scored = madeAttempt(1, 0.9, 0.25);
+  ReportAttempt scored = madeAttempt(1, 0.9, 0.25);
   scored.attempt.outcomes[1].recording = "plane.seq.mha";
   scored.score->steps[1].validShare = 0.5;
-  ReportedAttempt unscored = scored;
+  ReportAttempt unscored = scored;
   unscored.lesson = test::triedLesson();
   unscored.score.reset();
   const json lines = readByPython(csvOf({scored, unscored}, someCodes()));
@@ -66,7 +66,7 @@ TEST(Table, SaysOnlyOfPosesThatScoringLookedAtHowManyAreValid) {
 
 TEST(Table, HasNoColumnsOfAScoreThatNoLongerCounts) {
   EW_NEEDS_PROGRAM("python3");
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.25);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.25);
   one.lesson = test::triedLesson();
   one.plan.revision = one.score->planRevision + 1;
   const json lines = readByPython(csvOf({one}, someCodes()));
@@ -98,7 +98,7 @@ TEST(Table, GuardsSpreadsheetsAgainstTextsThatAreFormulas) {
 TEST(Table, SurvivesCommasQuotesAndLinesInNames) {
   EW_NEEDS_PROGRAM("python3");
   const std::string name = "Åsa \"the hand\", Öst\nline two";
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.9, name);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.9, name);
   one.score->steps[0].title = "=cmd|' /C calc'!A0";
   const json lines = readByPython(csvOf({one}, someCodes(), true));
   ASSERT_EQ(lines.size(), 3u);
@@ -110,7 +110,7 @@ TEST(Table, NamesNobodyUnlessAsked) { EXPECT_EQ(csvOf({madeAttempt(1, 0.9, 0.9)}
 
 TEST(Table, HasWhatTheLessonSaidOfAttemptsWithoutAScore) {
   EW_NEEDS_PROGRAM("python3");
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.25);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.25);
   one.score.reset();
   one.attempt.outcomes.push_back(one.attempt.outcomes[2]);
   const json lines = readByPython(csvOf({one, madeAttempt(2, 0.9, 0.9)}, someCodes()));
@@ -123,7 +123,7 @@ TEST(Table, HasWhatTheLessonSaidOfAttemptsWithoutAScore) {
 
 TEST(Table, SaysOfAnExaminationThatItIsHandedIn) {
   EW_NEEDS_PROGRAM("python3");
-  ReportedAttempt one = madeAttempt(1, 0.9, 0.25);
+  ReportAttempt one = madeAttempt(1, 0.9, 0.25);
   one.score.reset();
   one.attempt.outcomes[1].verdict = StepVerdict::handedIn;
   for (const bool isKnown : {true, false}) {

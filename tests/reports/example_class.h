@@ -53,16 +53,16 @@ inline std::vector<std::filesystem::path> exampleClass(const AssessedWorld& worl
   std::vector<std::uint8_t> grey(320 * 240);
   for (std::size_t n = 0; n < grey.size(); ++n) grey[n] = static_cast<std::uint8_t>((n % 320) * (n / 320) / 300);
   EXPECT_TRUE(succeeded(writeImage(ImageView<const std::uint8_t>{grey.data(), 320, 240, 320}, 0.3, folders[4] / "stored.png")));
-  const auto kept = KeptAttempt::open(folders[4]);
-  Attempt pictured = kept->attempt();
-  for (StepOutcome& outcome : pictured.outcomes)
-    if (outcome.stepId == "plane") outcome.pictures = {"stored.png"};
-  writeText(folders[4] / "attempt.json", jsonOf(pictured).dump());
+  const auto kept = AttemptFolder::open(folders[4]);
+  Attempt illustrated = kept->attempt();
+  for (StepOutcome& outcome : illustrated.outcomes)
+    if (outcome.stepId == "plane") outcome.images = {"stored.png"};
+  writeText(folders[4] / "attempt.json", jsonOf(illustrated).dump());
   (void)assess(folders, world.library());
   return folders;
 }
 
-/// Where a person may look at what tests write: EW_SCREENSHOTS, as the window's pictures. Empty: nobody does.
+/// Where a person may look at what tests write: EW_SCREENSHOTS, as the window's images. Empty: nobody does.
 inline std::filesystem::path lookedAt() {
   const char* folder = std::getenv("EW_SCREENSHOTS");
   return folder == nullptr ? std::filesystem::path() : std::filesystem::path(folder);

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <regex>
 
-#include "ew/reports/picture_file.h"
+#include "ew/reports/image_file.h"
 #include "reports/reports_world.h"
 
 namespace ew {
@@ -12,7 +12,7 @@ namespace {
 using test::countOf;
 using test::holds;
 
-ReportDocument everyBlock(const std::filesystem::path& picture) {
+ReportDocument everyBlock(const std::filesystem::path& image) {
   const std::string bad = "<script>alert(\"1\")</script> & 'x'";
   ReportDocument document;
   document.title = verbatim(bad);
@@ -29,12 +29,12 @@ ReportDocument everyBlock(const std::filesystem::path& picture) {
       ReportPlot{verbatim(bad), StripPlot{{{verbatim(bad), {1.0, 2.0}, 1.5, 3.0}}, false, verbatim(bad)}, true},
       ReportPlot{verbatim(bad), TimeLinePlot{{{verbatim(bad), {{0.0, 5.0, true}}}}, 10.0}},
       ReportPlot{verbatim(bad), PathPlot{{{verbatim(bad), true, {{{0.0, 0.0}, {10.0, 5.0}}}}}}},
-      ReportPicture{picture, verbatim(bad)},
-      ReportPicture{picture.parent_path() / "none.png", verbatim("gone")}};
+      ReportImage{image, verbatim(bad)},
+      ReportImage{image.parent_path() / "none.png", verbatim("gone")}};
   return document;
 }
 
-std::filesystem::path madePicture(const test::TemporaryFolder& folder) {
+std::filesystem::path madeImage(const test::TemporaryFolder& folder) {
   const std::filesystem::path file = folder / "picture.png";
   std::ofstream(file, std::ios::binary) << "\x89PNG\r\n\x1a\n and more";
   return file;
@@ -42,7 +42,7 @@ std::filesystem::path madePicture(const test::TemporaryFolder& folder) {
 
 TEST(Page, TakesNoTextForMarkup) {
   const test::TemporaryFolder folder;
-  const std::string page = htmlOf(everyBlock(madePicture(folder)), {});
+  const std::string page = htmlOf(everyBlock(madeImage(folder)), {});
   EXPECT_FALSE(holds(page, "<script"));
   EXPECT_FALSE(holds(page, "alert(\""));
   EXPECT_GE(countOf(page, "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &#39;x&#39;"), 15u);
@@ -51,7 +51,7 @@ TEST(Page, TakesNoTextForMarkup) {
 
 TEST(Page, LoadsNothingAndRunsNothing) {
   const test::TemporaryFolder folder;
-  const std::string page = htmlOf(everyBlock(madePicture(folder)), {});
+  const std::string page = htmlOf(everyBlock(madeImage(folder)), {});
   EXPECT_TRUE(holds(page, "default-src 'none'; img-src data:; style-src 'unsafe-inline'"));
   std::string rest = page;
   for (std::size_t at = rest.find("xmlns='http://www.w3.org/2000/svg'"); at != std::string::npos;
@@ -64,7 +64,7 @@ TEST(Page, LoadsNothingAndRunsNothing) {
 
 TEST(Page, IsWellFormedAndSaysItsStructure) {
   const test::TemporaryFolder folder;
-  const std::string page = htmlOf(everyBlock(madePicture(folder)), {.language = "de_AT"});
+  const std::string page = htmlOf(everyBlock(madeImage(folder)), {.language = "de_AT"});
   EXPECT_TRUE(holds(page, "<html lang='de'>"));
   EXPECT_EQ(countOf(page, "<h1>"), 1u);
   EXPECT_TRUE(holds(page, "<th scope='col' class='number'>"));
@@ -78,9 +78,9 @@ TEST(Page, IsWellFormedAndSaysItsStructure) {
         << tag;
 }
 
-TEST(Page, SaysInPlaceOfAPictureThatItIsNotThere) {
+TEST(Page, SaysInPlaceOfAnImageThatItIsNotThere) {
   const test::TemporaryFolder folder;
-  EXPECT_TRUE(holds(htmlOf(everyBlock(madePicture(folder)), {}), "The picture &#39;none.png&#39; is not in the attempt&#39;s folder."));
+  EXPECT_TRUE(holds(htmlOf(everyBlock(madeImage(folder)), {}), "The image &#39;none.png&#39; is not in the attempt&#39;s folder."));
 }
 
 TEST(Page, SaysThatItIsASimulation) { EXPECT_TRUE(holds(htmlOf({}, {}), "Simulation, training only: not for diagnosis.")); }
@@ -97,7 +97,7 @@ std::string bracketed(const Message& message) {
 TEST(Page, AsksForEveryWordInTheReadersLanguage) {
   ReportOptions options;
   options.words = bracketed;
-  ReportedAttempt one = test::madeAttempt(1, 0.9, 0.2);
+  ReportAttempt one = test::madeAttempt(1, 0.9, 0.2);
   one.ratings.ratings = {test::ratedBy("R", 3, 4)};
   one.earlier = {*one.score};
   for (const std::string& page : {htmlOf(attemptReport(one, test::madeLesson(), test::someCodes(), options), options),
@@ -112,15 +112,15 @@ TEST(Page, AsksForEveryWordInTheReadersLanguage) {
   }
 }
 
-TEST(Pictures, AreTakenForWhatTheyAreAndLinksAreNotFollowed) {
+TEST(Images, AreTakenForWhatTheyAreAndLinksAreNotFollowed) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "text.png") << "no picture";
+  std::ofstream(folder / "text.png") << "no image";
   std::ofstream(folder / "a.jpg", std::ios::binary) << "\xff\xd8\xff more";
   std::filesystem::create_symlink(folder / "a.jpg", folder / "link.jpg");
-  EXPECT_EQ(readPicture(folder / "text.png").error().code, ErrorCode::unsupported);
-  EXPECT_EQ(readPicture(folder / "a.jpg")->mediaType, "image/jpeg");
-  EXPECT_EQ(readPicture(folder / "link.jpg").error().code, ErrorCode::notFound);
-  EXPECT_EQ(readPicture(folder / "none.jpg").error().sentence().find(folder.path().string()), std::string::npos);
+  EXPECT_EQ(readReportImage(folder / "text.png").error().code, ErrorCode::unsupported);
+  EXPECT_EQ(readReportImage(folder / "a.jpg")->mediaType, "image/jpeg");
+  EXPECT_EQ(readReportImage(folder / "link.jpg").error().code, ErrorCode::notFound);
+  EXPECT_EQ(readReportImage(folder / "none.jpg").error().sentence().find(folder.path().string()), std::string::npos);
 }
 
 TEST(Base64, IsThatOfItsStandard) {

@@ -25,7 +25,7 @@ std::vector<fs::path> keptAttempts(const AssessedWorld& world) {
         id, {{.step = "plane", .scan = someScan()},
              {.step = "measure", .scan = someScan(), .answer = MeasurementAnswer{40.5, "mm", "distance", {{-20, 0, 0}, {20.5, 0, 0}}}},
              {.step = "answer", .answer = OptionsAnswer{{0}}}}));
-  for (const AssessedAttempt& one : assess(folders, world.library())) EXPECT_TRUE(one.score.has_value());
+  for (const AttemptAssessment& one : assess(folders, world.library())) EXPECT_TRUE(one.score.has_value());
   return folders;
 }
 
@@ -119,7 +119,7 @@ TEST(ReportFiles, OfSeveralLessonsHaveAnIndexOfTheirClasses) {
   other.caseId = "gone";
   other.lessonId = "gone";
   other.lessonTitle = "A lesson that is gone";
-  const auto kept = KeptAttempt::begin(out / "elsewhere", [&] {
+  const auto kept = AttemptFolder::begin(out / "elsewhere", [&] {
     Attempt named = other;
     named.id = "odd";
     return named;
@@ -172,7 +172,7 @@ TEST(ReportFiles, AreAllOrNoneThroughACommandsOutputs) {
   for (const fs::path& file : *files) EXPECT_TRUE(fs::exists(file)) << file;
 }
 
-TEST(ReportFiles, OfAWholeClassHaveItsRatingsCommentsPicturesAndTheExpert) {
+TEST(ReportFiles, OfAWholeClassHaveItsRatingsCommentsImagesAndTheExpert) {
   const AssessedWorld world;
   const test::TemporaryFolder out;
   const fs::path pages = test::lookedAt().empty() ? out / "pages" : test::lookedAt() / "reports";

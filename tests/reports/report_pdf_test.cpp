@@ -29,7 +29,7 @@ class ReportOnPaper : public ::testing::Test {
   }
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "report.pdf"; }
   [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
-  void writePicture(const std::string& name) const {
+  void writeDisplayImage(const std::string& name) const {
     const std::vector<std::uint8_t> grey(900 * 600, 90);
     ASSERT_TRUE(succeeded(writeImage(ImageView<const std::uint8_t>{grey.data(), 900, 600, 900}, 0.3, folder_ / name)));
   }
@@ -50,7 +50,7 @@ ReportTable manyRows(int count, const std::string& more = {}) {
   return table;
 }
 
-ReportDocument someOfEach(const std::filesystem::path& picture) {
+ReportDocument someOfEach(const std::filesystem::path& image) {
   ReportDocument document{verbatim("The title"), verbatim("and below"), {}, {}};
   document.blocks = {ReportHeading{2, verbatim("A heading")},
                      ReportParagraph{verbatim("A paragraph.")},
@@ -58,7 +58,7 @@ ReportDocument someOfEach(const std::filesystem::path& picture) {
                      ReportFacts{{{verbatim("Name"), verbatim("Value")}}},
                      manyRows(2),
                      ReportPlot{verbatim("A plot"), BarsPlot{{{verbatim("bar"), 0.5, 0.7, false, verbatim("50 %")}}}},
-                     ReportPicture{picture, verbatim("gone")}};
+                     ReportImage{image, verbatim("gone")}};
   return document;
 }
 
@@ -67,7 +67,7 @@ TEST_F(ReportOnPaper, HasEveryWordOfItsBlocksAndOfItsPlots) {
   const std::string text = textOf(someOfEach(folder() / "none.png"));
   for (const std::string part : {"The title", "and below", "A heading", "A paragraph.", "✓", "well done", "Name", "Value",
                                  "caption of the table", "Head two", "end1", "A plot", "bar", "50 %", "100 %",
-                                 "The picture 'none.png' is not in the attempt's folder.", "not for diagnosis", "Page 1 of 1"})
+                                 "The image 'none.png' is not in the attempt's folder.", "not for diagnosis", "Page 1 of 1"})
     EXPECT_TRUE(holds(text, part)) << part << "\n" << text;
 }
 
@@ -209,11 +209,11 @@ TEST_F(ReportOnPaper, GoesOnWithARowThatNoPageHolds) {
   for (const int n : {0, 1500, 2999}) EXPECT_EQ(countIn(text, std::regex("word" + std::to_string(n) + "\\b")), 2u) << n;
 }
 
-TEST_F(ReportOnPaper, NeverCutsAPictureOrTakesItFromItsCaption) {
+TEST_F(ReportOnPaper, NeverCutsAnImageOrTakesItFromItsCaption) {
   EW_NEEDS_PROGRAM("pdfimages");
-  writePicture("a.png");
+  writeDisplayImage("a.png");
   ReportDocument document{verbatim("Pictures"), {}, {}, {}};
-  for (int n = 0; n < 7; ++n) document.blocks.emplace_back(ReportPicture{folder() / "a.png", verbatim("caption" + std::to_string(n))});
+  for (int n = 0; n < 7; ++n) document.blocks.emplace_back(ReportImage{folder() / "a.png", verbatim("caption" + std::to_string(n))});
   (void)textOf(document);
   const std::string list = said("pdfimages -list " + file().string()).text;
   for (int page = 1; page <= pages(); ++page) {
@@ -240,15 +240,15 @@ TEST_F(ReportOnPaper, TakesAJpegInAsItIsButNotTheWordsInItsFile) {
   std::string told = smallJpeg();
   told.insert(2, std::string("\xff\xe1\0", 3) + static_cast<char>(words.size() + 2) + words);
   writeText(folder() / "a.jpg", told);
-  (void)textOf({verbatim("A JPEG"), {}, {}, {ReportPicture{folder() / "a.jpg", verbatim("caption")}}});
+  (void)textOf({verbatim("A JPEG"), {}, {}, {ReportImage{folder() / "a.jpg", verbatim("caption")}}});
   EXPECT_TRUE(std::regex_search(said("pdfimages -list " + file().string()).text, std::regex("image +8 +8 .* jpeg ")));
   EXPECT_TRUE(holds(test::textOf(file()), smallJpeg()));
   EXPECT_FALSE(holds(test::textOf(file()), words));
 }
 
-TEST_F(ReportOnPaper, SaysWhichPictureCannotBeShown) {
+TEST_F(ReportOnPaper, SaysWhichImageCannotBeShown) {
   EW_NEEDS_PROGRAM("pdftotext");
-  writePicture("a.png");
+  writeDisplayImage("a.png");
   const std::string whole = test::textOf(folder() / "a.png");
   std::string huge = whole;
   huge[16] = huge[20] = '\x7f';
@@ -258,10 +258,10 @@ TEST_F(ReportOnPaper, SaysWhichPictureCannotBeShown) {
   writeText(folder() / "none.jpg", "\xff\xd8\xff");
   ReportDocument document{verbatim("Pictures"), {}, {}, {}};
   for (const std::string name : {"cut.png", "huge.png", "cut.jpg", "none.jpg"})
-    document.blocks.emplace_back(ReportPicture{folder() / name, verbatim("caption")});
+    document.blocks.emplace_back(ReportImage{folder() / name, verbatim("caption")});
   const std::string text = textOf(document);
   for (const std::string name : {"cut.png", "huge.png", "cut.jpg", "none.jpg"})
-    EXPECT_TRUE(holds(text, "The picture '" + name + "' is damaged.")) << text;
+    EXPECT_TRUE(holds(text, "The image '" + name + "' is damaged.")) << text;
   EXPECT_FALSE(holds(text, "caption"));
 }
 
@@ -281,11 +281,11 @@ TEST_F(ReportOnPaper, KeepsAHeadingWithWhatFollows) {
 TEST_F(ReportOnPaper, OfAnAttemptAndItsClassAreWhole) {
   EW_NEEDS_PROGRAM("pdftotext");
   const AssessedWorld world;
-  std::vector<ReportedAttempt> attempts;
+  std::vector<ReportAttempt> attempts;
   for (const auto& one : exampleClass(world)) attempts.push_back(*readReportedAttempt(one));
-  const ReportedLesson lesson = readReportedLesson("ball", "about-balls", world.library(), {});
+  const ReportLesson lesson = readReportedLesson("ball", "about-balls", world.library(), {});
   const std::string attempt = textOf(attemptReport(attempts[4], lesson, someCodes()));
-  for (const std::string part : {"Step by step", "2. Step plane", "Stored picture: Step plane", "Way of the probe", "the expert",
+  for (const std::string part : {"Step by step", "2. Step plane", "Stored image: Step plane", "Way of the probe", "the expert",
                                  "Earlier scores", "What the metrics are"})
     EXPECT_TRUE(holds(attempt, part)) << part;
   EXPECT_TRUE(holds(test::textOf(file()), "/CreationDate")) << "when it was scored";

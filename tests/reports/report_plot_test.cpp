@@ -51,7 +51,7 @@ TEST(PlotOfPaths, KeepsBothAxesAlikeWithTheHeadUpAndTheLeftToTheRight) {
   EXPECT_NEAR(x1 - x0, y1 - y2, 0.11);
 }
 
-TEST(PlotOfNothing, IsAPictureAllTheSame) {
+TEST(PlotOfNothing, IsAnImageAllTheSame) {
   for (const ReportPlot& plot :
        {ReportPlot{verbatim("t"), BarsPlot{}}, ReportPlot{verbatim("t"), HistogramPlot{{0}, 0.0, 1.0, true, {}, {}}},
         ReportPlot{verbatim("t"), StripPlot{{{verbatim("a"), {}, {}, {}}}, false, {}}}, ReportPlot{verbatim("t"), TimeLinePlot{}},

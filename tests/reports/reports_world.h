@@ -37,7 +37,7 @@ inline std::shared_ptr<const RatingForm> someForm() {
   return std::make_shared<const RatingForm>(form);
 }
 
-inline KeptRating ratedBy(const std::string& rater, int plan, int image) {
+inline RatingRecord ratedBy(const std::string& rater, int plan, int image) {
   Rating rating;
   rating.rater = rater;
   rating.items = {{"plan", plan, "planned <b>well</b>"}, {"image", image, ""}};
@@ -48,8 +48,8 @@ inline KeptRating ratedBy(const std::string& rater, int plan, int image) {
 }
 
 /// An attempt of two steps that count and one that is read, scored, that lies nowhere. @param plane, answer scores of the steps
-inline ReportedAttempt madeAttempt(int number, double plane, double answer, const std::string& person = "Ana Gomez") {
-  ReportedAttempt one;
+inline ReportAttempt madeAttempt(int number, double plane, double answer, const std::string& person = "Ana Gomez") {
+  ReportAttempt one;
   Attempt& attempt = one.attempt;
   attempt.id = "20261101-10" + std::to_string(1000 + number);
   attempt.caseId = "ball";
@@ -99,7 +99,7 @@ inline ReportedAttempt madeAttempt(int number, double plane, double answer, cons
 inline Lesson triedLesson() {
   Lesson lesson;
   for (const auto& [id, task] :
-       {std::pair<const char*, LessonTask>{"read", ReadTask{}}, {"plane", PlaneTask{}}, {"answer", AnswerTask{}}}) {
+       {std::pair<const char*, LessonTask>{"read", ReadingTask{}}, {"plane", PlaneTask{}}, {"answer", AnswerTask{}}}) {
     LessonStep& step = lesson.steps.emplace_back();
     step.id = id;
     step.title = std::string("Step ") + id;
@@ -109,8 +109,8 @@ inline Lesson triedLesson() {
 }
 
 /// An attempt at a lesson of reading and watching alone, without a score: 100 % and 80 %, both passed.
-inline ReportedAttempt readingAttempt() {
-  ReportedAttempt one = madeAttempt(1, 0.8, 0.8);
+inline ReportAttempt readingAttempt() {
+  ReportAttempt one = madeAttempt(1, 0.8, 0.8);
   one.score.reset();
   one.attempt.outcomes.pop_back();
   one.lesson = triedLesson();
@@ -121,8 +121,8 @@ inline ReportedAttempt readingAttempt() {
   return one;
 }
 
-inline ReportedLesson madeLesson() {
-  ReportedLesson lesson;
+inline ReportLesson madeLesson() {
+  ReportLesson lesson;
   lesson.caseId = "ball";
   lesson.lessonId = "about-balls";
   lesson.caseTitle = "A ball, said to hurt";
@@ -150,7 +150,7 @@ inline std::string plainTextOf(const ReportDocument& document, const ReportOptio
       }
     }
     if (const auto* plot = std::get_if<ReportPlot>(&block)) put(plot->title);
-    if (const auto* picture = std::get_if<ReportPicture>(&block)) put(picture->caption);
+    if (const auto* image = std::get_if<ReportImage>(&block)) put(image->caption);
     text += "\n";
   }
   return text;

@@ -31,8 +31,8 @@ Worksheet biometry() {
 
 class WorksheetOnPaper : public ::testing::Test {
  protected:
-  /// @param pictures how many images stand behind the sheet
-  [[nodiscard]] WorksheetAbout about(int pictures = 0) const {
+  /// @param images how many images stand behind the sheet
+  [[nodiscard]] WorksheetAbout about(int images = 0) const {
     WorksheetAbout made{
         .patient = "Pain, \"here\"",
         .moment = verbatim("02.01.26 03:04"),
@@ -41,8 +41,8 @@ class WorksheetOnPaper : public ::testing::Test {
     };
     const std::vector<std::uint8_t> grey(900 * 600, 90);
     EXPECT_TRUE(succeeded(writeImage(ImageView<const std::uint8_t>{grey.data(), 900, 600, 900}, 0.3, folder_ / "a.png")));
-    for (int n = 0; n < pictures; ++n)
-      made.pictures.push_back(
+    for (int n = 0; n < images; ++n)
+      made.images.push_back(
           {.caption = verbatim("caption" + std::to_string(n)), .bytes = test::textOf(folder_ / "a.png"), .isSmall = true});
     return made;
   }

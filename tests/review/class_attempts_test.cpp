@@ -65,9 +65,9 @@ class MixedClass : public ::testing::Test {
   /// As the report has them, which lists attempts in another order.
   [[nodiscard]] Reported inReport() const {
     AttemptResults results(library());
-    std::vector<ReportedAttempt> all;
+    std::vector<ReportAttempt> all;
     for (const fs::path& folder : attempts_) all.push_back(*readReportedAttempt(folder, &results));
-    const ReportedLesson lesson = readReportedLesson("ball", "about-balls", library(), {});
+    const ReportLesson lesson = readReportedLesson("ball", "about-balls", library(), {});
     EXPECT_FALSE(lesson.standingsProblem);
     return {classFiguresOf(all, lesson.standings), classReport(all, lesson, *Pseudonyms::ofLibrary(library()))};
   }
@@ -83,7 +83,7 @@ class MixedClass : public ::testing::Test {
   }
   /// Keeps a score of what the lesson said, with a metric of the plane.
   void score(const fs::path& folder, int metricVersion) {
-    const Attempt attempt = KeptAttempt::open(folder)->attempt();
+    const Attempt attempt = AttemptFolder::open(folder)->attempt();
     AttemptScore made = attemptResultOf(attempt, &world_.lesson(), plan_, std::nullopt).counted;
     made.key = "0123456789abcdef";
     made.outcomes = attempt.outcomes.size();
@@ -109,7 +109,7 @@ class MixedClass : public ::testing::Test {
   }
   /// The lesson judged its plane by an angle.
   static void addFigure(const fs::path& folder) {
-    Attempt attempt = KeptAttempt::open(folder)->attempt();
+    Attempt attempt = AttemptFolder::open(folder)->attempt();
     for (StepOutcome& outcome : attempt.outcomes)
       if (outcome.stepId == "plane") outcome.figures = {{"angle", 12.5, "deg"}};
     ew::test::writeText(folder / "attempt.json", jsonOf(attempt).dump());
@@ -196,14 +196,14 @@ TEST_F(MixedClass, IsShownWithoutStandingsThatCannotBeRead) {
   EXPECT_NE(records->problem->sentence().find("standings.json is not valid JSON"), std::string::npos) << *records->problem;
   EXPECT_TRUE(records->standings.empty());
   EXPECT_EQ(records->scores.size(), 8u);
-  const ReportedLesson lesson = readReportedLesson("ball", "about-balls", library(), {});
+  const ReportLesson lesson = readReportedLesson("ball", "about-balls", library(), {});
   ASSERT_TRUE(lesson.standingsProblem);
   EXPECT_EQ(*lesson.standingsProblem, *records->problem);
 }
 
 TEST(RatersWord, IsOpenToThoseWhoHaveFinishedARatingWithEveryForm) {
   const auto form = std::make_shared<const RatingForm>(smallForm());
-  KeptRatings ratings;
+  RatingRecords ratings;
   EXPECT_EQ(ratersWordOf(ratings).standing, Standing::unknown);
   for (const std::string rater : {"Ada", "Ben"}) {
     Rating rating = ratingOf(*form, rater, {4, 4, 4});

@@ -7,7 +7,7 @@
 
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "made_log.h"
 
 namespace ew::review {
@@ -78,7 +78,7 @@ class ScanShelfTest : public ::testing::Test {
     attempt.lessonId = lessonId;
     attempt.person = "Ben";
     attempt.startedAt = std::chrono::sys_seconds(std::chrono::seconds(1'800'000'000));
-    auto kept = KeptAttempt::begin(attemptsFolder(root_ / "library"), attempt);
+    auto kept = AttemptFolder::begin(attemptsFolder(root_ / "library"), attempt);
     EXPECT_TRUE(kept) << kept.error();
     write(recordingOf(caseId), kept->folder() / "find.seq.mha");
     StepOutcome outcome;

@@ -25,8 +25,8 @@ TEST(FileEndings, AreComparedWhateverTheSizeOfTheirLetters) {
   const std::vector<Exception> exceptions = {
       {"workstation/annotation/src/body_mark_json.cpp", own},
 
-      {"workstation/assessment/src/attempts/numbered_files.cpp", own},
-      {"workstation/assessment/src/rating/kept_rating.cpp", own},
+      {"workstation/assessment/src/attempts/series_files.cpp", own},
+      {"workstation/assessment/src/rating/rating_record.cpp", own},
       {"workstation/library/src/index/index.cpp", own},
       {"workstation/library/src/making/old_results.cpp", own},
       {"workstation/library/src/making/file_import.cpp", lowered},

@@ -51,7 +51,7 @@ TEST(KeptWork, IsAskedAboutByTheOnePlaceThatReplacesTheScan) {
   const std::vector<Exception> exceptions = {
       {"workstation/ui/src/import/opener.cpp", "The one place."},
       {"workstation/ui/src/import/opener_scan.cpp", "The same, for what it has opened."},
-      {"workstation/ui/src/images/kept_picture.cpp", "A picture beside the scan, which is emptied when that was replaced."},
+      {"workstation/ui/src/images/image_tile.cpp", "An image beside the scan, which is emptied when that was replaced."},
   };
   EXPECT_EQ(brokenBy(ownReplacing, exceptions, "let the Opener show it, which asks every holder of unsaved work."), "");
 }

@@ -73,7 +73,7 @@ TEST(UiTestDoor, AWayPastItIsFound) {
   EXPECT_EQ(pastTheDoor({source, "#include \"scan/session.h\"\n"}).size(), 1u);
   EXPECT_EQ(pastTheDoor({source, "// One.\n#include <vector>\n\n#include \"window/frame/tour.h\"\n"}),
             std::vector<std::string>{"window/frame/tour.h"});
-  EXPECT_TRUE(pastTheDoor({source, "#include \"ew/ui_test_door/scan.h\"\n#include \"trackers/camera_pictures.h\"\n"}).empty());
+  EXPECT_TRUE(pastTheDoor({source, "#include \"ew/ui_test_door/scan.h\"\n#include \"trackers/camera_frames.h\"\n"}).empty());
   EXPECT_EQ(pastTheDoor({list, "target_include_directories(t PRIVATE ${CMAKE_SOURCE_DIR}/workstation/ui/src)"}).size(), 1u);
   EXPECT_EQ(pastTheDoor({list, "target_include_directories(t PRIVATE\n  a ${ui_src})\n"}).size(), 1u);
   EXPECT_TRUE(pastTheDoor({list, "set(ui_src ${CMAKE_SOURCE_DIR}/workstation/ui/src)\n"}).empty());

@@ -23,7 +23,7 @@ TEST(BodySide, ThePatientsLeftIsWhereXOfTheWorldGrows) {
   EXPECT_EQ(bodySideOf(poseAt(-34.0), 40.0), BodySide::right);
 }
 
-TEST(BodySide, APictureOfTheMidlineHasNone) {
+TEST(BodySide, AnImageOfTheMidlineHasNone) {
   EXPECT_FALSE(bodySideOf(poseAt(0.0), 40.0));
   EXPECT_FALSE(bodySideOf(poseAt(8.0), 40.0));
   EXPECT_TRUE(bodySideOf(poseAt(8.01), 40.0));

@@ -14,16 +14,16 @@ BodyRhythms rhythmsOf(bool hasPulse) {
   return rhythms;
 }
 
-TEST(AskedBreathing, GoesOnAsItWillWhenNobodyAsks) {
+TEST(BreathControl, GoesOnAsItWillWhenNobodyAsks) {
   const BodyRhythms rhythms = rhythmsOf(true);
-  const AskedBreathing breathing;
+  const BreathControl breathing;
   for (double time_s = 0.0; time_s < 9.0; time_s += 0.13) EXPECT_EQ(breathing.at(rhythms, time_s), bodyAt(rhythms, time_s));
   EXPECT_TRUE(breathing.movesAfter(rhythms, 3.0));
 }
 
-TEST(AskedBreathing, IsHeldWhereItWasAskedToBeAndTheHeartGoesOn) {
+TEST(BreathControl, IsHeldWhereItWasAskedToBeAndTheHeartGoesOn) {
   const BodyRhythms rhythms = rhythmsOf(true);
-  AskedBreathing breathing;
+  BreathControl breathing;
   breathing.ask(BreathingRequest::breatheInAndHold, rhythms, 10.0);
   for (const double time_s : {11.5, 14.0, 60.0}) {
     EXPECT_EQ(breathing.at(rhythms, time_s).breath, 1.0) << time_s;
@@ -36,9 +36,9 @@ TEST(AskedBreathing, IsHeldWhereItWasAskedToBeAndTheHeartGoesOn) {
   EXPECT_EQ(breathing.at(rhythms, 71.6), bodyAt(rhythms, 71.6));
 }
 
-TEST(AskedBreathing, NeverJumpsHoweverOftenItIsAsked) {
+TEST(BreathControl, NeverJumpsHoweverOftenItIsAsked) {
   const BodyRhythms rhythms = rhythmsOf(false);
-  AskedBreathing breathing;
+  BreathControl breathing;
   constexpr double kStep_s = 0.01;
   double before = breathing.at(rhythms, 0.0).breath;
   for (int n = 1; n < 2000; ++n) {
@@ -54,8 +54,8 @@ TEST(AskedBreathing, NeverJumpsHoweverOftenItIsAsked) {
   }
 }
 
-TEST(AskedBreathing, StandsOnceHeldUnlessSomethingElseMoves) {
-  AskedBreathing breathing;
+TEST(BreathControl, StandsOnceHeldUnlessSomethingElseMoves) {
+  BreathControl breathing;
   breathing.ask(BreathingRequest::breatheOutAndHold, rhythmsOf(false), 5.0);
   EXPECT_TRUE(breathing.movesAfter(rhythmsOf(false), 6.0));
   EXPECT_FALSE(breathing.movesAfter(rhythmsOf(false), 6.6));

@@ -17,10 +17,10 @@ void mix(std::uint64_t& hash, ImageView<const std::uint8_t> image) {
     for (int x = 0; x < image.width; ++x) hash = (hash ^ image.row(y)[x]) * 1099511628211U;
 }
 
-/// Of a picture and of the strip beside it.
-std::uint64_t hashOf(const Picture& picture, const Scanner& scanner) {
+/// Of an image and of the strip beside it.
+std::uint64_t hashOf(const DisplayImage& image, const Scanner& scanner) {
   std::uint64_t hash = 1469598103934665603U;
-  mix(hash, picture.grey);
+  mix(hash, image.grey);
   mix(hash, scanner.strip());
   return hash;
 }
@@ -50,8 +50,8 @@ struct Live {
 
   explicit Live(ScanSubject of, const CineLimits& limits = {}) : subject(std::move(of)), ring(limits) { scanner.show(subject); }
   void scan(const ScanState& state, glm::ivec2 size_px = kSize_px) {
-    const Picture picture = scanner.make(state, size_px.x, size_px.y);
-    seen.push_back(hashOf(picture, scanner));
+    const DisplayImage image = scanner.make(state, size_px.x, size_px.y);
+    seen.push_back(hashOf(image, scanner));
     states.push_back(state);
     ring.add(state, size_px, [this] { return scanner.memory(); });
   }
@@ -60,7 +60,7 @@ struct Live {
   std::size_t expectAgain(CineForming& forming, std::size_t n, glm::ivec2 size_px = kSize_px) const {
     const std::size_t left = forming.aim(ring, n, size_px);
     while (forming.left() > 0) forming.makeNext(ring);
-    EXPECT_EQ(hashOf(forming.picture(), forming.scanner()), seenAt(n)) << "image " << n << " of " << ring.frameCount();
+    EXPECT_EQ(hashOf(forming.image(), forming.scanner()), seenAt(n)) << "image " << n << " of " << ring.frameCount();
     return left;
   }
 };
@@ -295,7 +295,7 @@ TEST(CineClip, IsARecordingOfTheMarkedImages) {
   ASSERT_EQ(read->log.frameCount(), 41U);
   Replay replay(read->log, live.subject, 1);
   for (std::size_t n = 0; n < 41; ++n) {
-    const Picture again = replay.make(n, kSize_px.x, kSize_px.y);
+    const DisplayImage again = replay.make(n, kSize_px.x, kSize_px.y);
     ASSERT_EQ(hashOf(again, replay.scanner()), live.seen[20 + n]) << n;
   }
 }

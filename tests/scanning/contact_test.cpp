@@ -88,7 +88,7 @@ TEST(Recorded, SkinIsCoveredAsFarAsThereAreDataInTheFirst40MmBelowIt) {
   EXPECT_EQ(shares, (std::vector<float>{1.0F, 0.5F, 0.0F, 0.0F, 1.0F, 0.0F}));
 }
 
-TEST(Recorded, WhatAPictureDoesNotShowIsKnownPixelByPixelAndInDepth) {
+TEST(Recorded, WhatAnImageDoesNotShowIsKnownPixelByPixelAndInDepth) {
   Scanner scanner(0);
   scanner.show(test::waveSubject());
   ScanState state;
@@ -97,7 +97,7 @@ TEST(Recorded, WhatAPictureDoesNotShowIsKnownPixelByPixelAndInDepth) {
   state.pose.probeToWorld.matrix[3] = {0.0, -10.0, 0.0, 1.0};
   static_cast<void>(scanner.make(state, 300, 240));
   const Recorded recorded(*scanner.subject());
-  const UnrecordedPart part = unrecordedPart(recorded, scanner.geometry(), scanner.spans(), state.pose, 50.0, 2);
+  const RecordingGap part = unrecordedPart(recorded, scanner.geometry(), scanner.spans(), state.pose, 50.0, 2);
   ASSERT_EQ(part.columns, 150);
   ASSERT_EQ(part.rows, 120);
   ASSERT_TRUE(part.end_mm);

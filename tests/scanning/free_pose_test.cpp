@@ -170,17 +170,17 @@ struct Seen {
 };
 
 Seen seen(Scanner& scanner, const ScanState& state) {
-  const Picture picture = scanner.make(state, 200, 160);
+  const DisplayImage image = scanner.make(state, 200, 160);
   Seen found;
   double sums[2] = {}, counts[2] = {};
   const double below_mm = state.scene.contact->ringDown_mm + 1.0;
-  for (int y = 0; y < picture.height(); ++y) {
-    found.pixels.insert(found.pixels.end(), picture.grey.row(y), picture.grey.row(y) + picture.width());
-    for (int x = 0; x < picture.width(); ++x) {
+  for (int y = 0; y < image.height(); ++y) {
+    found.pixels.insert(found.pixels.end(), image.grey.row(y), image.grey.row(y) + image.width());
+    for (int x = 0; x < image.width(); ++x) {
       const glm::dvec2 at_mm = scanner.geometry().probePoint_mm(x, y);
       if (at_mm.y < below_mm || at_mm.y > 28.0 || std::abs(at_mm.x) > 18.0 || std::abs(at_mm.x) < 4.0) continue;
       const int side = at_mm.x > 0.0 ? 1 : 0;
-      sums[side] += picture.grey.row(y)[x];
+      sums[side] += image.grey.row(y)[x];
       counts[side] += 1.0;
     }
   }
@@ -192,7 +192,7 @@ Seen seen(Scanner& scanner, const ScanState& state) {
 
 }  // namespace
 
-TEST(FreePose, LiftedThePictureGoesDarkBelowTheNearFieldAndNeverBrighterWithTheGap) {
+TEST(FreePose, LiftedTheImageGoesDarkBelowTheNearFieldAndNeverBrighterWithTheGap) {
   Scanner scanner(1);
   scanner.show(test::waveSubject());
   ScanState touching = inHand(above(-1.0, 0.0));
@@ -236,7 +236,7 @@ TEST(FreePose, OfASlantedFaceOnlyTheLinesUnderWhatTouchesShow) {
   EXPECT_LT(left.right, 1.0);
 }
 
-TEST(FreePose, BehindAGapThePictureBeginsAnew) {
+TEST(FreePose, BehindAGapTheImageBeginsAnew) {
   ScanState state = inHand(above(-1.0, 0.0));
   state.knobs.persistence = 0.6;
   Scanner through(1), fresh(1);

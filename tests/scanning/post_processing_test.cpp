@@ -14,9 +14,9 @@ constexpr glm::ivec2 kSize_px{160, 120};
 
 using Pixels = std::vector<std::uint8_t>;
 
-Pixels pixelsOf(const Picture& picture) {
+Pixels pixelsOf(const DisplayImage& image) {
   Pixels pixels;
-  for (int y = 0; y < picture.height(); ++y) pixels.insert(pixels.end(), picture.grey.row(y), picture.grey.row(y) + picture.width());
+  for (int y = 0; y < image.height(); ++y) pixels.insert(pixels.end(), image.grey.row(y), image.grey.row(y) + image.width());
   return pixels;
 }
 
@@ -37,7 +37,7 @@ CineRing ringOf(double persistence, int images = 12) {
 Pixels formed(CineForming& forming, const CineRing& ring, std::size_t frame, const PostProcessing& by) {
   static_cast<void>(forming.aim(ring, frame, kSize_px, by));
   while (forming.left() > 0) forming.makeNext(ring);
-  return pixelsOf(forming.picture());
+  return pixelsOf(forming.image());
 }
 
 PostProcessing manyChanges() {

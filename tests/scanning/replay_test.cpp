@@ -12,10 +12,10 @@ namespace {
 
 constexpr glm::ivec2 kSize_px{120, 90};
 
-std::uint64_t hashOf(const Picture& picture) {
+std::uint64_t hashOf(const DisplayImage& image) {
   std::uint64_t hash = 1469598103934665603U;
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) hash = (hash ^ picture.grey.row(y)[x]) * 1099511628211U;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) hash = (hash ^ image.grey.row(y)[x]) * 1099511628211U;
   return hash;
 }
 
@@ -24,8 +24,8 @@ std::vector<std::uint64_t> hashesOf(const ScanLog& log, int threads) {
   Replay replay(log, test::waveSubject(), threads);
   std::vector<std::uint64_t> hashes;
   for (std::size_t n = 0; n < log.frameCount(); ++n) {
-    const Picture picture = replay.make(n, kSize_px.x, kSize_px.y);
-    if (n % 30 == 0) hashes.push_back(hashOf(picture));
+    const DisplayImage image = replay.make(n, kSize_px.x, kSize_px.y);
+    if (n % 30 == 0) hashes.push_back(hashOf(image));
   }
   return hashes;
 }
@@ -41,8 +41,8 @@ TEST(Replay, GivesThePixelsThatWereSeenEveryTimeAndWithEveryNumberOfThreads) {
   std::vector<std::uint64_t> seen;
   for (int n = 0; n < kFrames; ++n) {
     const ScanState state = test::movingState(n);
-    const Picture picture = live.make(state, kSize_px.x, kSize_px.y);
-    if (n % 30 == 0) seen.push_back(hashOf(picture));
+    const DisplayImage image = live.make(state, kSize_px.x, kSize_px.y);
+    if (n % 30 == 0) seen.push_back(hashOf(image));
     recording.log.addFrame(state);
   }
   const auto& events = recording.log.events();
@@ -116,16 +116,16 @@ TEST(Replay, AfterAJumpDiffersByAGreyLevelAtMost) {
   Replay straight(log, test::waveSubject()), jumping(log, test::waveSubject());
   std::vector<GreyImage> expected;
   for (std::size_t n = 0; n < log.frameCount(); ++n) {
-    const Picture picture = straight.make(n, kSize_px.x, kSize_px.y);
+    const DisplayImage image = straight.make(n, kSize_px.x, kSize_px.y);
     expected.emplace_back(kSize_px.x, kSize_px.y);
-    for (int y = 0; y < kSize_px.y; ++y) std::copy_n(picture.grey.row(y), kSize_px.x, viewOf(expected.back()).row(y));
+    for (int y = 0; y < kSize_px.y; ++y) std::copy_n(image.grey.row(y), kSize_px.x, viewOf(expected.back()).row(y));
   }
   for (const std::size_t n : {40U, 10U, 41U, 120U, 119U, 240U, 0U, 259U}) {
-    const Picture picture = jumping.make(n, kSize_px.x, kSize_px.y);
+    const DisplayImage image = jumping.make(n, kSize_px.x, kSize_px.y);
     int worst = 0;
     for (int y = 0; y < kSize_px.y; ++y)
       for (int x = 0; x < kSize_px.x; ++x)
-        worst = std::max(worst, std::abs(int{picture.grey.row(y)[x]} - int{viewOf(expected[n]).row(y)[x]}));
+        worst = std::max(worst, std::abs(int{image.grey.row(y)[x]} - int{viewOf(expected[n]).row(y)[x]}));
     EXPECT_LE(worst, 1) << n;
     if (test::movingState(static_cast<int>(n)).knobs.persistence == 0.0) {
       EXPECT_EQ(worst, 0) << n;

@@ -123,7 +123,7 @@ TEST(ScanVoxels, BricksShowTheSamePixelsUnlessTheyZoomOut) {
     Scanner plain, fromBricks;
     plain.show(subjectOf(ScanVoxels::asStored(volume), "plain"));
     fromBricks.show(subjectOf(*bricked, "bricks"));
-    const Picture a = plain.make(state, 200, 160), b = fromBricks.make(state, 200, 160);
+    const DisplayImage a = plain.make(state, 200, 160), b = fromBricks.make(state, 200, 160);
     for (int y = 0; y < 160; ++y) ASSERT_TRUE(std::equal(a.grey.row(y), a.grey.row(y) + 200, b.grey.row(y))) << y;
   }
 }
@@ -141,14 +141,14 @@ TEST(ScanSubject, MovingTheVolumeAndTheProbeTogetherChangesNothing) {
   Scanner scanner;
   scanner.show(subject);
   GreyImage before(120, 90);
-  const Picture first = scanner.make(state, 120, 90);
+  const DisplayImage first = scanner.make(state, 120, 90);
   for (int y = 0; y < 90; ++y) std::copy_n(first.grey.row(y), 120, viewOf(before).row(y));
   const Transform<frame::World, frame::World> away{glm::translate(glm::dmat4(1.0), {128.0, -64.0, 32.0})};
   scanner.place(away);
   EXPECT_EQ(scanner.subject()->placedLabels, scanner.subject()->placedGrid);
   EXPECT_EQ(scanner.subject()->placedTissue, scanner.subject()->placedGrid);
   state.pose.probeToWorld = away * state.pose.probeToWorld;
-  const Picture moved = scanner.make(state, 120, 90);
+  const DisplayImage moved = scanner.make(state, 120, 90);
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 120; ++x) ASSERT_NEAR(moved.grey.row(y)[x], viewOf(before).row(y)[x], 1) << x << ' ' << y;
   EXPECT_TRUE(scanner.seesVolume(state.pose));

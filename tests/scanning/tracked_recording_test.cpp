@@ -34,7 +34,7 @@ std::vector<std::uint8_t> pixelsOf(ImageView<const std::uint8_t> image) {
 
 struct Scanned {
   ScanRecording recording;
-  std::vector<std::vector<std::uint8_t>> pictures;  ///< of each frame with a pose; empty where it was missed
+  std::vector<std::vector<std::uint8_t>> images;  ///< of each frame with a pose; empty where it was missed
   std::vector<std::vector<std::uint8_t>> strips;
 };
 
@@ -60,12 +60,12 @@ Scanned scanned(const test::TrackedScan& how, DisplayMode mode) {
     state.number = ++number;
     if (pose.status == PoseStatus::ok) {
       state.gaps_mm = gapsToSkin_mm(state.probe, pose, test::PlaneSkin());
-      made.pictures.push_back(pixelsOf(scanner.make(state, kSize_px.x, kSize_px.y).grey));
+      made.images.push_back(pixelsOf(scanner.make(state, kSize_px.x, kSize_px.y).grey));
       made.strips.push_back(pixelsOf(scanner.strip()));
     } else {
-      if (made.pictures.empty()) return;
+      if (made.images.empty()) return;
       if (!isLost) scanner.forget();
-      made.pictures.emplace_back();
+      made.images.emplace_back();
       made.strips.emplace_back();
     }
     isLost = pose.status != PoseStatus::ok;
@@ -92,25 +92,25 @@ TEST_P(TrackedRecording, ReplaysToTheSamePixelsThroughGaps) {
     };
     const Scanned made = scanned(how, mode);
     std::size_t missed = 0;
-    for (const auto& picture : made.pictures) missed += picture.empty() ? 1 : 0;
+    for (const auto& image : made.images) missed += image.empty() ? 1 : 0;
     EXPECT_GT(missed, 10u);
-    EXPECT_GT(made.pictures.size() - missed, 80u);
+    EXPECT_GT(made.images.size() - missed, 80u);
 
     const auto file = folder_ / "tracked.seq.mha";
     const auto written = writeRecording(made.recording, file, noProgress());
     ASSERT_TRUE(written) << written.error();
     const auto read = readRecording(file, noProgress());
     ASSERT_TRUE(read) << read.error();
-    ASSERT_EQ(read->log.frameCount(), made.pictures.size());
+    ASSERT_EQ(read->log.frameCount(), made.images.size());
     Replay replay(read->log, test::waveSubject(), 1);
-    for (std::size_t n = 0; n < made.pictures.size(); ++n) {
+    for (std::size_t n = 0; n < made.images.size(); ++n) {
       EXPECT_EQ(read->log.frame(n).pose.status, made.recording.log.frame(n).pose.status) << n;
       const auto pixels = pixelsOf(replay.make(n, kSize_px.x, kSize_px.y).grey);
-      if (made.pictures[n].empty()) {
+      if (made.images[n].empty()) {
         EXPECT_TRUE(std::all_of(pixels.begin(), pixels.end(), [](std::uint8_t grey) { return grey == 0; })) << n;
         continue;
       }
-      ASSERT_EQ(pixels, made.pictures[n]) << "frame " << n << " at " << GetParam();
+      ASSERT_EQ(pixels, made.images[n]) << "frame " << n << " at " << GetParam();
       ASSERT_EQ(pixelsOf(replay.scanner().strip()), made.strips[n]) << "strip of frame " << n;
     }
   }
@@ -118,8 +118,8 @@ TEST_P(TrackedRecording, ReplaysToTheSamePixelsThroughGaps) {
 
 INSTANTIATE_TEST_SUITE_P(Rates, TrackedRecording, ::testing::Values(30.0, 60.0, 100.0));
 
-TEST(TrackedPace, MakesAPictureOfEveryReadingOfACameraAndOfEverySecondAndThirdOfFasterTrackers) {
-  for (const auto& [rate_hz, pictures_hz] : {std::pair(30.0, 30.0), std::pair(60.0, 30.0), std::pair(100.0, 33.3)}) {
+TEST(TrackingPace, MakesAnImageOfEveryReadingOfACameraAndOfEverySecondAndThirdOfFasterTrackers) {
+  for (const auto& [rate_hz, images_hz] : {std::pair(30.0, 30.0), std::pair(60.0, 30.0), std::pair(100.0, 33.3)}) {
     int count = 0;
     double oldest_s = 0.0;
     test::TrackedScan how;
@@ -129,13 +129,13 @@ TEST(TrackedPace, MakesAPictureOfEveryReadingOfACameraAndOfEverySecondAndThirdOf
       ++count;
       if (count > 1) oldest_s = std::max(oldest_s, time_s - pose.time_s);
     });
-    EXPECT_NEAR(count / how.seconds, pictures_hz, 1.0) << rate_hz;
-    // 12 ms on the way, and never a reading that waits for the next picture while there is time to make one of it.
+    EXPECT_NEAR(count / how.seconds, images_hz, 1.0) << rate_hz;
+    // 12 ms on the way, and never a reading that waits for the next image while there is time to make one of it.
     EXPECT_LT(oldest_s, 0.012 + 0.003) << rate_hz;
   }
-  EXPECT_EQ(trackedPace(10.0, 0.005), (TrackedPace{10.0 + 0.025, 10.0 + 0.045}));
-  EXPECT_EQ(trackedPace(10.0, 0.03125), (TrackedPace{10.0625, 10.0625})) << "half of the time is left";
-  EXPECT_EQ(trackedPace(10.0, 0.5), (TrackedPace{10.5 + 0.2, 10.5 + 0.2}));
+  EXPECT_EQ(trackedPace(10.0, 0.005), (TrackingPace{10.0 + 0.025, 10.0 + 0.045}));
+  EXPECT_EQ(trackedPace(10.0, 0.03125), (TrackingPace{10.0625, 10.0625})) << "half of the time is left";
+  EXPECT_EQ(trackedPace(10.0, 0.5), (TrackingPace{10.5 + 0.2, 10.5 + 0.2}));
 }
 
 }  // namespace

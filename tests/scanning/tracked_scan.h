@@ -6,13 +6,13 @@
 #include <random>
 #include <utility>
 
-#include "ew/scanning/tracked_pace.h"
+#include "ew/scanning/tracking_pace.h"
 #include "ew/tracking/tracked_probe.h"
 #include "tracking/scripted_tracker.h"
 
 namespace ew::test {
 
-/// A tracked probe and the clock of the window's pictures, in accelerated time.
+/// A tracked probe and the clock of the window's images, in accelerated time.
 struct TrackedScan {
   double rate_hz = 60.0;
   double seconds = 20.0;
@@ -20,13 +20,13 @@ struct TrackedScan {
   double delay_s = 0.012;   ///< from a measurement to its arrival
   double jitter_s = 0.001;  ///< of the arrival
   double noise_mm = 0.0;    ///< of the origin
-  double frame_s = 0.006;   ///< that a picture takes
+  double frame_s = 0.006;   ///< that an image takes
   double phase = 0.4;       ///< of the readings, in periods
   std::function<TrackingState(double t)> stateAt = [](double) { return TrackingState::live; };
 };
 
-/// Calls `frame(time_s, pose)` for every picture that the window would make, or miss, of a probe on `path` (probe in the world, which is
-/// the tracker's frame; time from 0). The order of events is that of Session: a picture of a reading that arrives when trackedPace() allows
+/// Calls `frame(time_s, pose)` for every image that the window would make, or miss, of a probe on `path` (probe in the world, which is
+/// the tracker's frame; time from 0). The order of events is that of Session: an image of a reading that arrives when trackedPace() allows
 /// one, and one without news at the latest.
 inline void scanTracked(const TrackedScan& scan, const std::function<Transform<frame::World, frame::Probe>(double t)>& path,
                         const std::function<void(double time_s, const Pose& pose)>& frame) {
@@ -39,7 +39,7 @@ inline void scanTracked(const TrackedScan& scan, const std::function<Transform<f
   std::uniform_real_distribution<double> late(0.0, 1.0);
   const double end_s = scan.begin_s + scan.seconds;
   int n = 0;
-  TrackedPace pace;
+  TrackingPace pace;
   const auto measuredAt = [&](int which) { return (which + scan.phase) / scan.rate_hz; };
   double arrival_s = scan.begin_s + measuredAt(0) + scan.delay_s;
   pace.latest_s = arrival_s;

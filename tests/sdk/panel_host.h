@@ -85,7 +85,7 @@ class PanelHost : public sdk::Host, public sdk::Panels, public sdk::Volumes {
   sdk::Window& window() override { return inner_.window(); }
   sdk::Log& log() override { return inner_.log(); }
 
-  void addStaged(sdk::StagedPanel panel) override { made[panel.id] = std::move(panel.make); }
+  void addStaged(sdk::StagePanel panel) override { made[panel.id] = std::move(panel.make); }
 
   Result<Volume> read(const std::filesystem::path& file, Progress& p) override { return inner_.volumes().read(file, p); }
   Result<void> write(const Volume& v, const std::filesystem::path& file, Progress& p) override {

@@ -55,7 +55,7 @@ class PanelsTest final : public QObject {
     made.volume.file = "a.mha";
     return made;
   }
-  static void keepPicture(const std::unique_ptr<QWidget>& panel, const char* name) {
+  static void keepImage(const std::unique_ptr<QWidget>& panel, const char* name) {
     const QString folder = qEnvironmentVariable("ECHOWEAVE_TEST_PICTURES");
     if (!folder.isEmpty()) panel->grab().save(folder + QLatin1Char('/') + QLatin1String(name));
   }
@@ -75,7 +75,7 @@ class PanelsTest final : public QObject {
     host_.theCase.opened.reset();
     const auto panel = open(host_, "case_authoring");
     QVERIFY(!child<QLineEdit>(panel, "title")->isVisible());
-    keepPicture(panel, "case-empty.png");
+    keepImage(panel, "case-empty.png");
   }
 
   void typingIsOneUndoableStepAField() {
@@ -112,7 +112,7 @@ class PanelsTest final : public QObject {
     const int saves = host_.theCase.saves;
     QTest::mouseClick(child<QPushButton>(panel, "save"), Qt::LeftButton);
     QCOMPARE(host_.theCase.saves, saves);
-    keepPicture(panel, "case-refused.png");
+    keepImage(panel, "case-refused.png");
     age->setValue(46);
     QVERIFY(!problem->isVisible());
     QCOMPARE(host_.theCase.opened->patient.age_years.value(), 46);
@@ -163,7 +163,7 @@ class PanelsTest final : public QObject {
     const std::vector<double> expected = {0, -1, 0, 12.5, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     const auto rows = rowsOf(host_.theCase.opened->volume.fileToWorld);
     QVERIFY(std::equal(rows.begin(), rows.end(), expected.begin(), expected.end()));
-    keepPicture(panel, "place-form.png");
+    keepImage(panel, "place-form.png");
   }
 
   void theStartPoseIsTakenFromTheScanAndSaidWhenItSeesNothing() {
@@ -228,7 +228,7 @@ class PanelsTest final : public QObject {
     QCOMPARE(edited.previousExaminations.size(), std::size_t(1));
     QTest::keyClicks(child<QLineEdit>(panel, "volume_licence"), QStringLiteral("CC BY 4.0"));
     QCOMPARE(edited.otherFields["volume"]["licence"].get<std::string>(), std::string("CC BY 4.0"));
-    keepPicture(panel, "case-lists.png");
+    keepImage(panel, "case-lists.png");
   }
 
   void aCheckNamesProbesThatNobodyHasAndSaysWhenAllIsWell() {
@@ -256,14 +256,14 @@ class PanelsTest final : public QObject {
     QVERIFY(writeVolume(volume, folder / "left lobe.mha").has_value());
 
     const auto panel = open(host_, "stitching");
-    keepPicture(panel, "stitch-empty.png");
+    keepImage(panel, "stitch-empty.png");
     drop(panel, {QUrl::fromLocalFile(QString::fromStdString((folder / "right lobe.mha").string())),
                  QUrl::fromLocalFile(QString::fromStdString((folder / "left lobe.mha").string()))});
     QCOMPARE(child<QListWidget>(panel, "volumes")->count(), 2);
     QVERIFY2(child<QLabel>(panel, "forecast")->text().contains(QStringLiteral("40 × 20 × 10")),
              qPrintable(child<QLabel>(panel, "forecast")->text()));
     QVERIFY(!child<QPushButton>(panel, "saveResult")->isVisible());
-    keepPicture(panel, "stitch-two.png");
+    keepImage(panel, "stitch-two.png");
     // A name that another volume has is refused beside the list, and nothing changes.
     auto* list = child<QListWidget>(panel, "volumes");
     list->item(1)->setText(QStringLiteral("right lobe"));

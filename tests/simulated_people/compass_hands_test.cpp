@@ -62,7 +62,7 @@ TEST(CompassHands, ArriveAtThePlanesOfTheNeck) {
   const auto skin = readBodySkin(*resources / "mannequin" / opened->mannequin);
   ASSERT_TRUE(skin) << skin.error();
   ASSERT_GE(truth->planes.size(), 5U);
-  for (const ExpectedPlane& plane : truth->planes) {
+  for (const ReferencePlane& plane : truth->planes) {
     const CompassTarget target = compassTargetOf(targetOf(plane, *truth, 40.0), toleranceOf(plane), **skin);
     ASSERT_TRUE(target.reachable) << plane.name << ": " << target.left.angle_deg << " deg, " << target.left.distance_mm << " mm";
     const Hold start = turned(slid(target.hold, **skin, 25.0, 15.0), 2.0, 0.2, -0.2);

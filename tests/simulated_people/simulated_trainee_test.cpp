@@ -78,7 +78,7 @@ class Trunk {
 
  private:
   void addTruth() {
-    ExpectedPlane plane;
+    ReferencePlane plane;
     plane.name = "across the ball";
     plane.probeToWorld = poseAt({-30.0, -500.0, 20.0}).probeToWorld;
     CaseTruth& truth = teaching_.truth;
@@ -99,7 +99,7 @@ class Trunk {
     number.number = 24.0;
     number.tolerance = 2.0;
     number.unit = "mm";
-    lesson_.steps = {stepOf("read", ReadTask{}),
+    lesson_.steps = {stepOf("read", ReadingTask{}),
                      stepOf("watch", WatchTask{}),
                      stepOf("settings", SettingsTask{{}, {{"depth_mm", 120.0, 160.0}, {"gain_db", 4.0, 8.0}, {"focus_mm", 40.0, 60.0}}}),
                      stepOf("plane", PlaneTask{"across the ball", {}, {}}),
@@ -233,7 +233,7 @@ TEST(SimulatedTrainee, IsKeptAsTheWindowWouldAndReadBackAsItWas) {
   const test::TemporaryFolder folder;
   const auto made = keepSimulatedAttempt(trunk.lesson(), on, steps, {SkillLevel::novice, 7, 7}, {}, folder.path());
   ASSERT_TRUE(made) << made.error().sentence();
-  const auto kept = KeptAttempt::open(*made);
+  const auto kept = AttemptFolder::open(*made);
   ASSERT_TRUE(kept) << kept.error().sentence();
   const Attempt& attempt = kept->attempt();
   EXPECT_EQ(attempt.person, "novice 07");

@@ -162,7 +162,7 @@ TEST(ChainFolder, LeavesForeignFilesBelowStepsAsTheyAre) {
   const fs::path into = world.folder / "out";
   const std::string key(32, 'a');
   const std::map<std::string, std::string> foreign = {{"steps/week1/plan-draft.txt", "a plan"},
-                                                      {"steps/photos/2026-01-01.jpg", "a picture"},
+                                                      {"steps/photos/2026-01-01.jpg", "an image"},
                                                       {"steps/photos/.hidden", "hidden"},
                                                       {"steps/photos/" + key + "-x.bin", "looks like ours, and lies elsewhere"},
                                                       {"steps/seam/my-notes.txt", "notes"},

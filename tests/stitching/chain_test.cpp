@@ -216,7 +216,7 @@ TEST(Chain, WhatAPairCostsIsToldWithoutTheTimeThatOthersTook) {
   const auto made = world.run(into, busy, until);
   ASSERT_TRUE(made) << made.error();
   ASSERT_FALSE(made->warpedPairs.empty());
-  for (const WarpedPair& warped : made->warpedPairs) {
+  for (const PairDeformation& warped : made->warpedPairs) {
     EXPECT_GT(warped.processor_s, 0.0);
     EXPECT_LT(warped.processor_s, 0.7 * warped.seconds);
   }
@@ -242,7 +242,7 @@ TEST(Chain, APairWithAnEffortOfItsOwnIsBentAgainAlone) {
   ASSERT_TRUE(first) << first.error();
   ASSERT_EQ(first->warpedPairs.size(), 2u) << "a with b and b with c; a and c lie apart";
   EXPECT_EQ(std::pair(first->warpedPairs[1].fixed, first->warpedPairs[1].moving), std::pair(std::size_t{1}, std::size_t{2}));
-  for (const WarpedPair& warped : first->warpedPairs) {
+  for (const PairDeformation& warped : first->warpedPairs) {
     EXPECT_EQ(warped.effort, registration::ElasticEffort::fast);
     EXPECT_FALSE(warped.levels.empty());
     EXPECT_FALSE(warped.reason.empty());

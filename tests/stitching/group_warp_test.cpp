@@ -12,7 +12,7 @@ namespace {
 struct Row {
   explicit Row(int count, int size = 40) {
     for (int n = 0; n < count; ++n) {
-      LoadedView view;
+      ViewData view;
       Volume volume;
       volume.grid.dims = glm::ivec3(size);
       volume.echo.assign(volume.grid.voxelCount(), 100);
@@ -33,8 +33,8 @@ struct Row {
     warp.fixedToMoving.control.displacement_mm.assign(8, glm::vec3(motion));
     pairs.push_back(warp);
   }
-  std::vector<LoadedView> held;
-  std::vector<const LoadedView*> views;
+  std::vector<ViewData> held;
+  std::vector<const ViewData*> views;
   std::vector<Transform<frame::World, frame::View>> poses;
   std::vector<PairWarp> pairs;
 };

@@ -327,7 +327,7 @@ TEST(ForecastJoin, IsWhatIsTakenAtThePeak) {
   const Volume b = speckled(gridOf({140, 130, 120}, {}, 0.5), 2);
   const std::vector<View> views = {viewOf(a, "a"),
                                    viewOf(b, "b", moved(30, 3, 2) * glm::rotate(glm::dmat4(1.0), 0.1, glm::dvec3(0, 0, 1)))};
-  std::vector<PlacedGrid> grids;
+  std::vector<GridPlacement> grids;
   for (const View& view : views) grids.push_back({view.volume->grid, view.toWorld, view.name});
   for (const SeamMethod method : {SeamMethod::feather, SeamMethod::graphCut}) {
     JoinOptions options;
@@ -346,7 +346,7 @@ TEST(ForecastJoin, IsWhatIsTakenAtThePeak) {
 }
 
 TEST(ForecastJoin, KnowsTheGridAndCountsBlocksNotTheWhole) {
-  std::vector<PlacedGrid> far;
+  std::vector<GridPlacement> far;
   for (int n = 0; n < 2; ++n) {
     Grid grid = gridOf({1000, 1000, 500}, {}, 0.5);
     far.push_back({grid, moved(400.0 * n, 0, 0), "v"});

@@ -54,7 +54,7 @@ TEST(Overlap, HoldsEveryVoxelThatBothCover) {
 }
 
 TEST(Overlap, APartKeepsItsVoxelsAndTheirPlaces) {
-  LoadedView view;
+  ViewData view;
   view.volume = std::make_shared<const Volume>(block({20, 18, 16}, 0.7));
   view.confidence.resize(view.volume->echo.size());
   for (std::size_t n = 0; n < view.confidence.size(); ++n) view.confidence[n] = static_cast<std::uint8_t>(n % 256);

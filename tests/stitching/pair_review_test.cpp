@@ -14,8 +14,8 @@ PairOutcome found(Verdict verdict, PairMethod used = PairMethod::automatic) {
   return outcome;
 }
 
-WarpedPair warped(Verdict verdict) {
-  WarpedPair warp;
+PairDeformation warped(Verdict verdict) {
+  PairDeformation warp;
   warp.verdict = verdict;
   return warp;
 }
@@ -34,19 +34,19 @@ ProjectPair placedByHand() {
 
 TEST(PairReview, AsksForALookWhereADeformationIsInDoubtThoughThePoseIsAligned) {
   const PairOutcome outcome = found(Verdict::aligned);
-  const WarpedPair right = warped(Verdict::aligned);
+  const PairDeformation right = warped(Verdict::aligned);
   EXPECT_EQ(reviewOf(&outcome, nullptr, {}, false), (PairReview{PairMark::aligned, false, false}));
   EXPECT_EQ(reviewOf(&outcome, &right, {}, false), (PairReview{PairMark::aligned, false, false}));
   // As where motion remains that the deformation does not follow: "no pair needs a look" stood beside it.
   for (const Verdict verdict : {Verdict::cannotTell, Verdict::notAligned}) {
-    const WarpedPair doubtful = warped(verdict);
+    const PairDeformation doubtful = warped(verdict);
     EXPECT_EQ(reviewOf(&outcome, &doubtful, {}, false), (PairReview{PairMark::aligned, true, true}));
   }
 }
 
 TEST(PairReview, IsOverOnceAPersonHasDecided) {
   const PairOutcome outcome = found(Verdict::aligned);
-  const WarpedPair doubtful = warped(Verdict::cannotTell);
+  const PairDeformation doubtful = warped(Verdict::cannotTell);
   EXPECT_EQ(reviewOf(&outcome, &doubtful, decided(Decision::accepted), false), (PairReview{PairMark::aligned, true, false}));
   EXPECT_EQ(reviewOf(&outcome, &doubtful, decided(Decision::rejected), false), (PairReview{PairMark::rejected, false, false}));
 }

@@ -8,7 +8,7 @@
 
 #include "ew/io/image_file.h"
 #include "ew/io/volume_stream.h"
-#include "ew/phantom/speckled_view.h"
+#include "ew/phantom/speckle_view.h"
 #include "ew/stitching/equalise_views.h"
 #include "memory_in_use.h"
 #include "stitching/views.h"
@@ -19,25 +19,25 @@ namespace {
 
 /// Two views of one scene, side by side along x with an overlap, as pairs of recipe and view.
 struct TwoViews {
-  SpeckledView left, right;
+  SpeckleView left, right;
   std::vector<View> views;
 
-  TwoViews(SpeckledViewRecipe l, SpeckledViewRecipe r) : left(speckledView(l, 0)), right(speckledView(r, 0)) {
+  TwoViews(SpeckleViewRecipe l, SpeckleViewRecipe r) : left(speckledView(l, 0)), right(speckledView(r, 0)) {
     views = {viewOf(left.volume, "left", l.toWorld.matrix), viewOf(right.volume, "right", r.toWorld.matrix)};
     views[0].confidence = left.confidence;
     views[1].confidence = right.confidence;
   }
 };
 
-SpeckledViewRecipe leftRecipe(bool scene) {
-  SpeckledViewRecipe recipe;
+SpeckleViewRecipe leftRecipe(bool scene) {
+  SpeckleViewRecipe recipe;
   recipe.dims = {110, 110, 90};
   recipe.scene = scene;
   recipe.speckle = 1;
   return recipe;
 }
-SpeckledViewRecipe rightRecipe(bool scene) {
-  SpeckledViewRecipe recipe = leftRecipe(scene);
+SpeckleViewRecipe rightRecipe(bool scene) {
+  SpeckleViewRecipe recipe = leftRecipe(scene);
   recipe.origin_mm.x = 30.0;  // an overlap of 25 mm
   recipe.speckle = 2;
   return recipe;
@@ -52,7 +52,7 @@ JoinResult joined(const std::vector<View>& views, const JoinOptions& options) {
   return std::move(*result);
 }
 
-void keepPicture(const JoinResult& result, const std::string& name) {
+void keepImage(const JoinResult& result, const std::string& name) {
   const char* folder = std::getenv("EW_SEAM_PICTURES");
   if (folder == nullptr) return;
   const Grid& grid = result.volume.grid;
@@ -78,13 +78,13 @@ std::string textOf(const SeamVisibility& seen) {
 
 TEST(SeamVisibility, FindsNoSeamWhereOneViewMeetsItself) {
   // The same speckle on both sides: a seam is there only by name.
-  SpeckledViewRecipe same = rightRecipe(true);
+  SpeckleViewRecipe same = rightRecipe(true);
   same.speckle = 1;
   for (const bool scene : {false, true}) {
     same.scene = scene;
     const TwoViews two(leftRecipe(scene), same);
     const auto result = joined(two.views, {});
-    keepPicture(result, scene ? "same-scene" : "same-even");
+    keepImage(result, scene ? "same-scene" : "same-even");
     EXPECT_GT(result.report.seam.voxels, 5000u);
     EXPECT_TRUE(within(result.report.seam)) << textOf(result.report.seam);
   }
@@ -131,7 +131,7 @@ TEST(SeamVisibility, IsMetByTheCutInAStructuredScene) {
     JoinOptions options;
     options.seam.method = method;
     const auto result = joined(two.views, options);
-    keepPicture(result, "scene-" + std::to_string(static_cast<int>(method)));
+    keepImage(result, "scene-" + std::to_string(static_cast<int>(method)));
     if (method == SeamMethod::feather)
       EXPECT_FALSE(within(result.report.seam)) << textOf(result.report.seam);
     else
@@ -140,15 +140,15 @@ TEST(SeamVisibility, IsMetByTheCutInAStructuredScene) {
 }
 
 TEST(Join, FillsAShadowFromTheOtherViewAtItsOwnLevel) {
-  SpeckledViewRecipe shadowed = leftRecipe(true);
-  shadowed.shadow = SpeckledViewRecipe::Shadow{38.0, 47.0, 15.0, 30.0};
-  SpeckledViewRecipe other = rightRecipe(true);
+  SpeckleViewRecipe shadowed = leftRecipe(true);
+  shadowed.shadow = SpeckleViewRecipe::Shadow{38.0, 47.0, 15.0, 30.0};
+  SpeckleViewRecipe other = rightRecipe(true);
   other.gain_db = 4.0;
   other.depthGain_db = 3.0;
   TwoViews two(shadowed, other);
   for (View& view : two.views) view.correction.beams = Beams{{0.0, 1.0, 0.0}};
   const auto before = joined(two.views, {});
-  keepPicture(before, "shadow-uncorrected");
+  keepImage(before, "shadow-uncorrected");
 
   const auto equalised = equaliseViews(two.views, {}, noProgress());
   ASSERT_TRUE(equalised);
@@ -163,7 +163,7 @@ TEST(Join, FillsAShadowFromTheOtherViewAtItsOwnLevel) {
   }
 
   const auto result = joined(two.views, {});
-  keepPicture(result, "shadow-filled");
+  keepImage(result, "shadow-filled");
   EXPECT_TRUE(within(result.report.seam)) << textOf(result.report.seam);
   // Inside the shadow, away from its edges, the voxels are the other view's, at the level of the tissue.
   const Grid& grid = result.volume.grid;
@@ -184,7 +184,7 @@ TEST(Join, FillsAShadowFromTheOtherViewAtItsOwnLevel) {
   JoinOptions nearest;
   nearest.seam.method = SeamMethod::nearest;
   const auto dark = joined(two.views, nearest);
-  keepPicture(dark, "shadow-nearest");
+  keepImage(dark, "shadow-nearest");
   EXPECT_GT(dark.report.seam.meanStep_db, 3.0);
 }
 
@@ -223,8 +223,8 @@ std::vector<std::uint8_t> samplesOf(const std::filesystem::path& file, std::size
 }
 
 TEST(Join, MakesAWholeLargerThanItsMemoryIntoFiles) {
-  SpeckledViewRecipe left = leftRecipe(true);
-  SpeckledViewRecipe right = rightRecipe(true);
+  SpeckleViewRecipe left = leftRecipe(true);
+  SpeckleViewRecipe right = rightRecipe(true);
   left.dims = right.dims = {90, 80, 70};
   const TwoViews two(left, right);
   JoinOptions options;
@@ -275,7 +275,7 @@ TEST(Join, LevelsPassOverNearSeamsAndNowhereElse) {
 }
 
 TEST(EqualiseViews, GivesTheSameCurvesOnAnyNumberOfThreads) {
-  SpeckledViewRecipe right = rightRecipe(true);
+  SpeckleViewRecipe right = rightRecipe(true);
   right.gain_db = 5.0;
   TwoViews two(leftRecipe(true), right);
   EqualiseViewsOptions options;

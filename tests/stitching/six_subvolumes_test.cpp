@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 const fs::path kSource(EW_SOURCE_DIR);
 constexpr double kDbPerGrey = 60.0 / 255.0;
 
-/// Recordings, results and pictures go to EW_SIX_SUBVOLUMES, and stay there; without it to a folder that is removed.
+/// Recordings, results and images go to EW_SIX_SUBVOLUMES, and stay there; without it to a folder that is removed.
 class Home {
  public:
   explicit Home(const std::string& name) {
@@ -380,13 +380,13 @@ void runAndJudge(const Asked& asked) {
   EXPECT_GT(shadows.filledShare, 0.9);
 
   // Before: pasted and feathered where the tracker said, grey levels as they came.
-  const fs::path pictures = home.path() / "pictures";
-  fs::create_directories(pictures);
+  const fs::path images = home.path() / "pictures";
+  fs::create_directories(images);
   const glm::ivec3 middle = joined->volume.grid.dims / 2;
-  drawPlanes(joined->volume, middle, "after", pictures);
+  drawPlanes(joined->volume, middle, "after", images);
   Volume labels = joined->volume;
   for (std::size_t n = 0; n < labels.echo.size(); ++n) labels.echo[n] = static_cast<std::uint8_t>(40 * source->volume.echo[n]);
-  drawPlanes(labels, middle, "views", pictures);
+  drawPlanes(labels, middle, "views", images);
   for (std::size_t v = 0; v < views.size(); ++v) {
     views[v].correction = {};
     views[v].warp = nullptr;
@@ -403,7 +403,7 @@ void runAndJudge(const Asked& asked) {
     ASSERT_TRUE(made) << made.error();
     const bool pasted = method == SeamMethod::nearest;
     printVisibility(pasted ? "before, pasted" : "before, feathered", made->report.seam);
-    drawPlanes(made->volume, middle, pasted ? "pasted" : "feathered", pictures);
+    drawPlanes(made->volume, middle, pasted ? "pasted" : "feathered", images);
   }
 }
 

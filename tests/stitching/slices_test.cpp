@@ -22,7 +22,7 @@ Volume ramp() {
   return volume;
 }
 
-GreyPicture two(std::uint8_t a, std::uint8_t b, bool aSeen = true, bool bSeen = true) {
+GreySlice two(std::uint8_t a, std::uint8_t b, bool aSeen = true, bool bSeen = true) {
   return {{2, 1}, {a, b}, {static_cast<std::uint8_t>(aSeen), static_cast<std::uint8_t>(bSeen)}};
 }
 
@@ -104,14 +104,14 @@ TEST(Slices, VoxelCentresGiveTheirVoxelsAndNothingIsSeenOutside) {
   const Volume volume = ramp();
   // Pixels of 1 mm in the axial plane of layer 3: columns are voxels along i, every second row is a voxel along j.
   const Plane plane = planeOf(Cut::axial, {0.5, 13.0, 8.5}, 1.0);
-  const GreyPicture picture = sliced(volume, plane, {14, 19}, {});
+  const GreySlice image = sliced(volume, plane, {14, 19}, {});
   for (int y = 0; y < 19; y += 2)
     for (int x = 0; x < 14; ++x) {
       const std::size_t at = static_cast<std::size_t>(y * 14 + x);
       const int i = x - 1;
       const bool inside = i >= 0 && i < 12;
-      EXPECT_EQ(picture.seen[at], inside ? 1 : 0) << x << ", " << y;
-      EXPECT_EQ(picture.grey[at], inside ? 2 * i + 3 * (y / 2) + 15 : 0) << x << ", " << y;
+      EXPECT_EQ(image.seen[at], inside ? 1 : 0) << x << ", " << y;
+      EXPECT_EQ(image.grey[at], inside ? 2 * i + 3 * (y / 2) + 15 : 0) << x << ", " << y;
     }
 }
 
@@ -119,15 +119,15 @@ TEST(Slices, ARampStaysARampInAnObliquePlane) {
   const Volume volume = ramp();
   const Plane plane = turned(planeOf(Cut::sagittal, {0.5, 13.0, 8.7}, 0.3), {0.5, 13.0, 8.7}, {25, 40, -15});
   const glm::ivec2 size{40, 40};
-  const GreyPicture picture = sliced(volume, plane, size, {});
+  const GreySlice image = sliced(volume, plane, size, {});
   int seen = 0;
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 40; ++x) {
       const std::size_t at = static_cast<std::size_t>(y * 40 + x);
-      if (picture.seen[at] == 0) continue;
+      if (image.seen[at] == 0) continue;
       ++seen;
       const glm::dvec3 v = glm::dvec3(volume.grid.worldToVoxel().matrix * glm::dvec4(pointAt(plane, size, {x, y}), 1.0));
-      EXPECT_EQ(picture.grey[at], std::lround(2 * v.x + 3 * v.y + 5 * v.z));
+      EXPECT_EQ(image.grey[at], std::lround(2 * v.x + 3 * v.y + 5 * v.z));
     }
   EXPECT_GT(seen, 200);
 }
@@ -142,22 +142,22 @@ TEST(Slices, AbsentVoxelsAreNotSeenAndDoNotDarkenTheirNeighbours) {
         volume.coverage[volume.grid.indexOf(i, j, k)] = 0;
         volume.echo[volume.grid.indexOf(i, j, k)] = 0;
       }
-  const GreyPicture picture = sliced(volume, planeOf(Cut::axial, {0.5, 13.0, 8.5}, 0.25), {48, 1}, {});
+  const GreySlice image = sliced(volume, planeOf(Cut::axial, {0.5, 13.0, 8.5}, 0.25), {48, 1}, {});
   for (std::size_t x = 0; x < 48; ++x) {
-    if (picture.seen[x] != 0) {
-      EXPECT_EQ(picture.grey[x], 100) << x;
+    if (image.seen[x] != 0) {
+      EXPECT_EQ(image.grey[x], 100) << x;
     }
   }
-  EXPECT_EQ(picture.seen[5], 0);
-  EXPECT_EQ(picture.seen[40], 1);
+  EXPECT_EQ(image.seen[5], 0);
+  EXPECT_EQ(image.seen[40], 1);
 }
 
 TEST(Slices, AVolumeOfOneLayerIsSeenInItsLayer) {
   Volume volume;
   volume.grid.dims = {4, 4, 1};
   volume.echo.assign(16, 80);
-  const GreyPicture picture = sliced(volume, planeOf(Cut::axial, {1.5, 1.5, 0.0}, 1.0), {4, 4}, {});
-  EXPECT_EQ(picture.grey, std::vector<std::uint8_t>(16, 80));
+  const GreySlice image = sliced(volume, planeOf(Cut::axial, {1.5, 1.5, 0.0}, 1.0), {4, 4}, {});
+  EXPECT_EQ(image.grey, std::vector<std::uint8_t>(16, 80));
 }
 
 TEST(Slices, AMappingGoesThroughTheBendInItsOwnFrame) {
@@ -185,16 +185,16 @@ TEST(Slices, EveryPixelIsThatOfTheDefinitionRigidAndDeformed) {
                           moved<frame::View, frame::World>({-3, 1, 0}, {0, -12, 4})};
     for (int trial = 0; trial < 6; ++trial) {
       const Plane plane = turned(planeOf(Cut::coronal, {1.0 * trial, -2.0, 1.0}, 0.55), {}, {13.0 * trial, 29.0 * trial, 7.0});
-      const GreyPicture picture = sliced(volume, plane, size, mapping);
+      const GreySlice image = sliced(volume, plane, size, mapping);
       int seen = 0;
       for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
           const auto expected = levelBehind(volume, mapping(pointAt(plane, size, {x, y})));
           const std::size_t at = static_cast<std::size_t>(y * size.x + x);
-          ASSERT_EQ(picture.seen[at] != 0, expected.has_value()) << x << ", " << y;
+          ASSERT_EQ(image.seen[at] != 0, expected.has_value()) << x << ", " << y;
           if (!expected) continue;
           ++seen;
-          ASSERT_NEAR(picture.grey[at], *expected, 0.5 + 2e-3) << x << ", " << y;
+          ASSERT_NEAR(image.grey[at], *expected, 0.5 + 2e-3) << x << ", " << y;
         }
       EXPECT_GT(seen, 500);
     }
@@ -202,8 +202,8 @@ TEST(Slices, EveryPixelIsThatOfTheDefinitionRigidAndDeformed) {
 }
 
 TEST(Slices, OverlaysOfOnePixelEachAreExact) {
-  const GreyPicture a = two(40, 200);
-  const GreyPicture b = two(60, 100);
+  const GreySlice a = two(40, 200);
+  const GreySlice b = two(60, 100);
   using Colours = std::vector<std::array<std::uint8_t, 3>>;
   EXPECT_EQ(overlaid(a, b, {Overlay::checkerboard, 1, false}).rgb, (Colours{{40, 40, 40}, {100, 100, 100}}));
   EXPECT_EQ(overlaid(a, b, {Overlay::difference, 48, false}).rgb, (Colours{{138, 138, 138}, {78, 78, 78}}));
@@ -215,12 +215,12 @@ TEST(Slices, OverlaysOfOnePixelEachAreExact) {
 }
 
 TEST(Slices, WhereOneSideAloneSeesItIsShownAloneAtHalf) {
-  const GreyPicture a = two(40, 0, true, false);
-  const GreyPicture b = two(0, 0, false, false);
+  const GreySlice a = two(40, 0, true, false);
+  const GreySlice b = two(0, 0, false, false);
   for (const Overlay kind : {Overlay::checkerboard, Overlay::difference, Overlay::colours}) {
-    const auto picture = overlaid(a, b, {kind, 1, false});
-    EXPECT_EQ(picture.rgb[0], (std::array<std::uint8_t, 3>{20, 20, 20}));
-    EXPECT_EQ(picture.rgb[1], (std::array<std::uint8_t, 3>{0, 0, 0}));
+    const auto image = overlaid(a, b, {kind, 1, false});
+    EXPECT_EQ(image.rgb[0], (std::array<std::uint8_t, 3>{20, 20, 20}));
+    EXPECT_EQ(image.rgb[1], (std::array<std::uint8_t, 3>{0, 0, 0}));
   }
 }
 
@@ -281,7 +281,7 @@ TEST(Slices, QuickAgreementIsOneAtTheTruthAndLessBesideIt) {
   EXPECT_EQ(apart.correlation, 0.0);
 }
 
-TEST(Slices, TheSeamPictureShowsEachViewWhereTheMapSaysSo) {
+TEST(Slices, TheSeamImageShowsEachViewWhereTheMapSaysSo) {
   SeamMap seams;
   seams.cells.dims = {2, 1, 1};
   seams.cells.spacing_mm = glm::dvec3(10.0);
@@ -295,13 +295,13 @@ TEST(Slices, TheSeamPictureShowsEachViewWhereTheMapSaysSo) {
   Volume bright = dark;
   dark.echo.assign(64000, 10);
   bright.echo.assign(64000, 240);
-  const std::vector<SeenView> views = {{&dark, {}}, {&bright, {}}};
-  const auto picture = seamPicture(seams, views, planeOf(Cut::axial, {5, 0, 0}, 1.0), {9, 1}, {});
-  EXPECT_LT(picture.rgb[0][1], 60);
-  EXPECT_GT(picture.rgb[8][1], 140);
+  const std::vector<WorldView> views = {{&dark, {}}, {&bright, {}}};
+  const auto image = seamImage(seams, views, planeOf(Cut::axial, {5, 0, 0}, 1.0), {9, 1}, {});
+  EXPECT_LT(image.rgb[0][1], 60);
+  EXPECT_GT(image.rgb[8][1], 140);
 }
 
-TEST(Slices, EveryPixelOfTheSeamPictureIsThatOfItsView) {
+TEST(Slices, EveryPixelOfTheSeamImageIsThatOfItsView) {
   const Volume one = speckledFan(5);
   const Volume other = speckledFan(6);
   const registration::ControlGrid warp = wave();
@@ -311,11 +311,11 @@ TEST(Slices, EveryPixelOfTheSeamPictureIsThatOfItsView) {
   seams.cells.origin_mm = glm::dvec3(-17.0);
   for (int n = 0; n < 512; ++n) seams.view.push_back(static_cast<std::uint8_t>(n / 3 % 5));  // 4: a view that is not there
   const auto toWorld = moved<frame::World, frame::Fixed>({1, 2, 3}, {3, -4, 5});
-  const std::vector<SeenView> views = {
+  const std::vector<WorldView> views = {
       {&one, {toWorld, &warp, moved<frame::View, frame::World>({-1, 0, 0}, {})}}, {&other, {toWorld, nullptr, {}}}, {}};
   const Plane plane = turned(planeOf(Cut::axial, {0, 0, 1}, 0.6), {}, {20, 15, -10});
   const glm::ivec2 size{64, 57};
-  const auto picture = seamPicture(seams, views, plane, size, toWorld);
+  const auto image = seamImage(seams, views, plane, size, toWorld);
   const auto ownerAt = [&](int x, int y) {
     const int view = viewAt(seams, carried(toWorld, pointAt(plane, size, {x, y})));
     return view < 3 ? view : -1;
@@ -324,12 +324,12 @@ TEST(Slices, EveryPixelOfTheSeamPictureIsThatOfItsView) {
   for (int y = 0; y + 1 < size.y; ++y)
     for (int x = 0; x + 1 < size.x; ++x) {
       const int view = ownerAt(x, y), right = ownerAt(x + 1, y), below = ownerAt(x, y + 1);
-      const auto& colour = picture.rgb[static_cast<std::size_t>(y * size.x + x)];
+      const auto& colour = image.rgb[static_cast<std::size_t>(y * size.x + x)];
       std::array<double, 3> expected{0.0, 0.0, 0.0};
       if (view >= 0 && ((right >= 0 && right != view) || (below >= 0 && below != view))) {
         expected = {235.0, 240.0, 242.0};
       } else if (view >= 0) {
-        const SeenView& shown = views[static_cast<std::size_t>(view)];
+        const WorldView& shown = views[static_cast<std::size_t>(view)];
         const glm::dvec3 p = pointAt(plane, size, {x, y});
         const double grey = shown.volume != nullptr ? levelBehind(*shown.volume, shown.fromPlane(p)).value_or(0.0) : 0.0;
         const auto tint = colourOfView(static_cast<std::size_t>(view));

@@ -45,8 +45,8 @@ PlacedVolume at(Volume volume, const std::string& name = "a", const glm::dmat4& 
 }
 glm::dmat4 moved(double x, double y, double z) { return glm::translate(glm::dmat4(1.0), glm::dvec3(x, y, z)); }
 
-std::vector<PlacedGrid> gridsOf(std::span<const PlacedVolume> inputs) {
-  std::vector<PlacedGrid> grids;
+std::vector<GridPlacement> gridsOf(std::span<const PlacedVolume> inputs) {
+  std::vector<GridPlacement> grids;
   for (const PlacedVolume& input : inputs) grids.push_back({input.volume.grid, input.toWorld, input.name});
   return grids;
 }

@@ -51,7 +51,7 @@ inline View viewOf(const Volume& volume, const std::string& name, const glm::dma
 }
 
 inline Grid gridFor(const std::vector<View>& views, const StitchOptions& options) {
-  std::vector<PlacedGrid> grids;
+  std::vector<GridPlacement> grids;
   for (const View& view : views) grids.push_back({view.volume->grid, view.toWorld, view.name});
   const auto forecast = forecastStitch(grids, options);
   return forecast ? forecast->grid : Grid{};

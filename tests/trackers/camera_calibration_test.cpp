@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "trackers/camera_pictures.h"
+#include "trackers/camera_frames.h"
 
 namespace ew {
 namespace {
@@ -15,7 +15,7 @@ using test::poseAt;
 
 CharucoBoard aBoard() { return {.columns = 7, .rows = 5, .square_mm = 36.0, .marker_mm = 26.0, .dictionary = "aruco_5x5_100"}; }
 
-/// What a camera measures of the board's corners, with noise; corners outside of the picture are not there.
+/// What a camera measures of the board's corners, with noise; corners outside of the image are not there.
 CharucoView viewOfBoard(const CameraModel& model, const glm::dmat4& boardToCamera, double noise_px, std::mt19937_64& random) {
   std::normal_distribution<double> noise(0.0, noise_px);
   CharucoView view;
@@ -51,7 +51,7 @@ TEST(CameraCalibration, FindsTheCameraAgain) {
   EXPECT_NEAR(found->model.cx, truth.cx, 1.0);
   EXPECT_LT(found->model.rms_px, 0.1);
   EXPECT_LT(found->heldOut_px, 0.15);
-  // What counts is where rays go, all over the picture.
+  // What counts is where rays go, all over the image.
   for (const glm::dvec2 at : {glm::dvec2(20, 20), glm::dvec2(320, 240), glm::dvec2(600, 60), glm::dvec2(40, 440)})
     EXPECT_LT(glm::distance(at, pixelOf(found->model, glm::dvec3(rayThrough(truth, at), 1.0))), 1.5) << at.x << " " << at.y;
 }
@@ -71,7 +71,7 @@ TEST(CameraCalibration, NeedsEightViews) {
   views.resize(7);
   const auto found = calibrateCamera(views, aBoard(), 640, 480, noProgress());
   ASSERT_FALSE(found);
-  EXPECT_NE(found.error().sentence().find("7 pictures"), std::string::npos);
+  EXPECT_NE(found.error().sentence().find("7 images"), std::string::npos);
 }
 
 TEST(CameraCalibration, IsNotCalledGoodFromViewsThatAreAllStraightOn) {
@@ -103,10 +103,10 @@ TEST(CameraCalibration, ReadsAPrintedBoardToATenthOfAPixel) {
 TEST(CalibrationCollector, KeepsAStillViewOnceAndSaysWhatIsMissing) {
   const auto dictionary = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_5X5_100);
   const auto board = cv::aruco::CharucoBoard::create(7, 5, 36.0F, 26.0F, dictionary);
-  cv::Mat drawn, picture(720, 1280, CV_8UC1, cv::Scalar(200));
+  cv::Mat drawn, image(720, 1280, CV_8UC1, cv::Scalar(200));
   board->draw(cv::Size(700, 500), drawn, 0, 1);
-  drawn.copyTo(picture(cv::Rect(290, 110, 700, 500)));
-  const ImageView<const std::uint8_t> grey{picture.data, picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
+  drawn.copyTo(image(cv::Rect(290, 110, 700, 500)));
+  const ImageView<const std::uint8_t> grey{image.data, image.cols, image.rows, static_cast<std::ptrdiff_t>(image.step)};
   auto collector = CalibrationCollector::make(aBoard(), 1280, 720);
   ASSERT_TRUE(collector);
   EXPECT_EQ(collector->coverage().views, 0);
@@ -119,7 +119,7 @@ TEST(CalibrationCollector, KeepsAStillViewOnceAndSaysWhatIsMissing) {
   EXPECT_FALSE(covered.enough);
   EXPECT_FALSE(covered.next.empty());
   cv::Mat blurred;
-  cv::GaussianBlur(picture, blurred, cv::Size(0, 0), 4.0);
+  cv::GaussianBlur(image, blurred, cv::Size(0, 0), 4.0);
   const ImageView<const std::uint8_t> washedOut{blurred.data, blurred.cols, blurred.rows, static_cast<std::ptrdiff_t>(blurred.step)};
   EXPECT_NE(collector->look(washedOut, 5.0).verdict, ViewVerdict::kept);
   const cv::Mat empty(720, 1280, CV_8UC1, cv::Scalar(90));

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "places.h"
-#include "trackers/camera_pictures.h"
+#include "trackers/camera_frames.h"
 
 namespace ew {
 namespace {
@@ -39,8 +39,8 @@ class CameraFilm : public ::testing::Test {
     ASSERT_TRUE(film.isOpened());
     for (int n = 0; n < kFrames; ++n) {
       truth_.push_back(poseAt({4.0 * n, 0.0, 380.0}, 0.5));
-      GreyImage picture = test::pictureOf(smallCamera(), smallBoard(), truth_.back());
-      const cv::Mat grey(picture.height, picture.width, CV_8UC1, picture.pixels.data());
+      GreyImage image = test::imageOf(smallCamera(), smallBoard(), truth_.back());
+      const cv::Mat grey(image.height, image.width, CV_8UC1, image.pixels.data());
       cv::Mat planes[] = {grey, grey, grey}, colours;
       cv::merge(planes, 3, colours);
       film.write(colours);
@@ -54,14 +54,14 @@ class CameraFilm : public ::testing::Test {
     made.model = smallCamera();
     made.board = smallBoard();
     made.tracking.gamma = 1.0;
-    made.filmSpeed = 0.0;  // every picture, as fast as it goes
+    made.filmSpeed = 0.0;  // every image, as fast as it goes
     return made;
   }
   fs::path file_;
   std::vector<glm::dmat4> truth_;
 };
 
-TEST_F(CameraFilm, GivesAReadingForEveryPictureAndThenEnds) {
+TEST_F(CameraFilm, GivesAReadingForEveryImageAndThenEnds) {
   const auto camera = makeCamera(settings());
   camera->start();
   ASSERT_TRUE(eventually([&] { return camera->status().link == LinkState::ended && camera->view().number == kFrames; }))
@@ -99,14 +99,14 @@ TEST_F(CameraFilm, LoopsWithTimesThatGoOn) {
   camera->stop();
 }
 
-TEST_F(CameraFilm, WithoutAModelShowsPicturesAndMeasuresNothing) {
+TEST_F(CameraFilm, WithoutAModelShowsImagesAndMeasuresNothing) {
   CameraSettings plain = settings();
   plain.model.reset();
   const auto camera = makeCamera(plain);
   camera->start();
   ASSERT_TRUE(eventually([&] { return camera->view().number == kFrames; }));
   EXPECT_TRUE(camera->take().empty());
-  EXPECT_EQ(camera->picture().width, 640);
+  EXPECT_EQ(camera->image().width, 640);
 }
 
 TEST_F(CameraFilm, TakesAModelWhileItRuns) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "trackers/camera_pictures.h"
+#include "trackers/camera_frames.h"
 
 namespace ew {
 namespace {
@@ -53,7 +53,7 @@ TEST(CameraModel, IsRefusedWithTheFieldThatIsWrong) {
   EXPECT_EQ(parseCameraModel("{", verbatim("camera.json")).error().code, ErrorCode::badHeader);
 }
 
-TEST(CameraModel, SeesTheSameInAPictureOfHalfTheSize) {
+TEST(CameraModel, SeesTheSameInAnImageOfHalfTheSize) {
   const CameraModel model = aModel();
   const auto half = scaledTo(model, 320, 240);
   ASSERT_TRUE(half);
@@ -63,7 +63,7 @@ TEST(CameraModel, SeesTheSameInAPictureOfHalfTheSize) {
   EXPECT_NEAR((whole_px.y + 0.5) / 2.0 - 0.5, half_px.y, 1e-9);
 }
 
-TEST(CameraModel, IsNotStretchedToAnotherShapeOfPicture) {
+TEST(CameraModel, IsNotStretchedToAnotherShapeOfImage) {
   const auto wide = scaledTo(aModel(), 1280, 720);
   ASSERT_FALSE(wide);
   EXPECT_NE(wide.error().sentence().find("640 x 480"), std::string::npos);

@@ -2,19 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include "trackers/camera_pictures.h"
+#include "trackers/camera_frames.h"
 
 namespace ew {
 namespace {
 
-using test::pictureOf;
+using test::imageOf;
 using test::poseAt;
 using test::smallBoard;
 using test::smallCamera;
 
 CameraTrackingOptions inLight() {
   CameraTrackingOptions options;
-  options.gamma = 1.0;  // the pictures of these tests are light itself
+  options.gamma = 1.0;  // the images of these tests are light itself
   return options;
 }
 
@@ -36,7 +36,7 @@ TEST(CameraTracking, FindsABoardWhereItIs) {
   for (const double tilt : {0.35, 0.6, -0.5}) {
     const glm::dmat4 truth = poseAt({20.0, -15.0, 380.0}, tilt);
     tracker.forget();
-    const auto sight = tracker.track(viewOf(pictureOf(smallCamera(), smallBoard(), truth)), 0.0);
+    const auto sight = tracker.track(viewOf(imageOf(smallCamera(), smallBoard(), truth)), 0.0);
     ASSERT_EQ(sight.bodies[0].state, TrackingState::live) << tilt;
     EXPECT_EQ(sight.bodies[0].markers, 4);
     EXPECT_LT(largestDifference(sight.bodies[0].bodyToCamera.matrix, truth), 0.3) << sight.bodies[0].bodyToCamera;
@@ -51,8 +51,8 @@ TEST(CameraTracking, LooksAroundTheLastPlaceAndFindsTheSame) {
   everywhere.followsRegions = false;
   CameraTracker searching = trackerOf({smallBoard()}, everywhere);
   for (int n = 0; n < 4; ++n) {
-    const auto picture = pictureOf(smallCamera(), smallBoard(), poseAt({20.0 + 3.0 * n, -15.0, 380.0}, 0.5));
-    const auto near = following.track(viewOf(picture), n / 30.0), whole = searching.track(viewOf(picture), n / 30.0);
+    const auto image = imageOf(smallCamera(), smallBoard(), poseAt({20.0 + 3.0 * n, -15.0, 380.0}, 0.5));
+    const auto near = following.track(viewOf(image), n / 30.0), whole = searching.track(viewOf(image), n / 30.0);
     EXPECT_EQ(near.searchedWhole, n == 0);
     EXPECT_TRUE(whole.searchedWhole);
     ASSERT_EQ(near.bodies[0].state, TrackingState::live);
@@ -65,7 +65,7 @@ TEST(CameraTracking, LooksAroundTheLastPlaceAndFindsTheSame) {
 
 TEST(CameraTracking, ABodyThatIsNotThereIsOutOfView) {
   CameraTracker tracker = trackerOf({smallBoard(30), smallBoard(60)});
-  const auto sight = tracker.track(viewOf(pictureOf(smallCamera(), smallBoard(30), poseAt({0, 0, 380}, 0.5))), 0.0);
+  const auto sight = tracker.track(viewOf(imageOf(smallCamera(), smallBoard(30), poseAt({0, 0, 380}, 0.5))), 0.0);
   EXPECT_EQ(sight.bodies[0].state, TrackingState::live);
   EXPECT_EQ(sight.bodies[1].state, TrackingState::outOfView);
   GreyImage nothing(640, 480, 128);
@@ -77,7 +77,7 @@ TEST(CameraTracking, AMarkerThatDisagreesIsLeftOut) {
   for (auto& corner : wrong.markers[3].corners_mm) corner += glm::dvec3(6.0, 4.0, 0.0);  // glued on beside its place
   CameraTracker tracker = trackerOf({wrong});
   const glm::dmat4 truth = poseAt({20.0, -15.0, 380.0}, 0.5);
-  const auto sight = tracker.track(viewOf(pictureOf(smallCamera(), smallBoard(), truth)), 0.0);
+  const auto sight = tracker.track(viewOf(imageOf(smallCamera(), smallBoard(), truth)), 0.0);
   ASSERT_EQ(sight.bodies[0].state, TrackingState::live);
   EXPECT_EQ(sight.bodies[0].markers, 3);
   for (const MarkerSight& marker : sight.markers) EXPECT_EQ(marker.used, marker.id != 33) << marker.id;
@@ -88,13 +88,13 @@ TEST(CameraTracking, ASmallFlatMarkerSeenFromAfarIsNotShownAsIfItWereSure) {
   MarkerBody one = smallBoard();
   one.markers.resize(1);
   CameraTracker tracker = trackerOf({one});
-  // Straight on and far away two tilts explain the picture alike, and neither is known.
-  const auto sight = tracker.track(viewOf(pictureOf(smallCamera(), smallBoard(), poseAt({0, 0, 1100}, 0.12))), 0.0);
+  // Straight on and far away two tilts explain the image alike, and neither is known.
+  const auto sight = tracker.track(viewOf(imageOf(smallCamera(), smallBoard(), poseAt({0, 0, 1100}, 0.12))), 0.0);
   EXPECT_NE(sight.bodies[0].state, TrackingState::live);
 }
 
 TEST(CameraTracking, OneMarkerThatIsReadAsAnotherTurnsNoProbe) {
-  // Two faces of a body, a third of a turn apart; the camera sees one of them, and for one picture a thumb makes it look like the other.
+  // Two faces of a body, a third of a turn apart; the camera sees one of them, and for one image a thumb makes it look like the other.
   MarkerBody body = smallBoard(30);
   body.markers.resize(2);
   const glm::dmat3 third(glm::rotate(glm::dmat4(1.0), glm::radians(120.0), glm::dvec3(0.0, 1.0, 0.0)));
@@ -103,7 +103,7 @@ TEST(CameraTracking, OneMarkerThatIsReadAsAnotherTurnsNoProbe) {
   seen.markers.resize(1);
   misread.markers.resize(1);
   const glm::dmat4 truth = poseAt({20.0, -15.0, 330.0}, 0.6);
-  const auto right = pictureOf(smallCamera(), seen, truth), wrong = pictureOf(smallCamera(), misread, truth);
+  const auto right = imageOf(smallCamera(), seen, truth), wrong = imageOf(smallCamera(), misread, truth);
   CameraTracker tracker = trackerOf({body});
   ASSERT_EQ(tracker.track(viewOf(right), 0.0).bodies[0].state, TrackingState::live);
   const auto jumped = tracker.track(viewOf(wrong), 1.0 / 30.0);
@@ -119,7 +119,7 @@ TEST(CameraTracking, UsesNoMoreMarkersThanAskedFor) {
   CameraTrackingOptions options = inLight();
   options.mostMarkers = 2;
   CameraTracker tracker = trackerOf({smallBoard()}, options);
-  const auto sight = tracker.track(viewOf(pictureOf(smallCamera(), smallBoard(), poseAt({0, 0, 380}, 0.5))), 0.0);
+  const auto sight = tracker.track(viewOf(imageOf(smallCamera(), smallBoard(), poseAt({0, 0, 380}, 0.5))), 0.0);
   EXPECT_EQ(sight.bodies[0].markers, 2);
 }
 

@@ -204,13 +204,13 @@ TEST(IgtlBodies, AStatusOfTheLibraryIsReadAndEveryCodeHasASentence) {
 }
 
 TEST(IgtlBodies, AnImageStandsWhereTheLibraryAndSlicerLookForIt) {
-  GreyImage picture(31, 18);
-  for (std::size_t n = 0; n < picture.pixels.size(); ++n) picture.pixels[n] = static_cast<std::uint8_t>(n % 251);
+  GreyImage grey(31, 18);
+  for (std::size_t n = 0; n < grey.pixels.size(); ++n) grey.pixels[n] = static_cast<std::uint8_t>(n % 251);
   glm::dmat4 imageToRas = igtlPoseNumber(9);
   imageToRas[0] *= 0.3;
   imageToRas[1] *= 0.2;
   imageToRas[2] = glm::dvec4(0.0);
-  const Bytes content = igtlImageContent(viewOf(picture), imageToRas);
+  const Bytes content = igtlImageContent(viewOf(grey), imageToRas);
 
   IgtlMessage message;
   message.type = "IMAGE";
@@ -234,7 +234,7 @@ TEST(IgtlBodies, AnImageStandsWhereTheLibraryAndSlicerLookForIt) {
   EXPECT_EQ(size[2], 1);
   EXPECT_EQ(image->GetScalarType(), igtl::ImageMessage::TYPE_UINT8);
   EXPECT_EQ(image->GetCoordinateSystem(), igtl::ImageMessage::COORDINATE_RAS);
-  EXPECT_TRUE(std::equal(picture.pixels.begin(), picture.pixels.end(), static_cast<const std::uint8_t*>(image->GetScalarPointer())));
+  EXPECT_TRUE(std::equal(grey.pixels.begin(), grey.pixels.end(), static_cast<const std::uint8_t*>(image->GetScalarPointer())));
   float spacing[3];
   image->GetSpacing(spacing);
   EXPECT_NEAR(spacing[0], 0.3F, 1e-6F);

@@ -18,7 +18,7 @@ constexpr const char* kLiver = "liver-sweep/liver_sweep.igs.mha";
 /// Sends a recording as the server of PLUS does: a TRANSFORM for each transform of a frame, stamped with the frame's time.
 bool play(Partner& server, const Sequence& recording, int version) {
   for (const SequenceFrame& frame : recording.frames)
-    for (const NamedTransform& transform : frame.transforms) {
+    for (const FrameTransform& transform : frame.transforms) {
       IgtlMessage message =
           test::transformMessage(transform.matrix, transform.from + "To" + transform.to, frame.time_s.value_or(0.0), version);
       if (version == 2) message.words = {{"TransformValid", "true"}, {"TransformStatus", "OK"}};
@@ -44,7 +44,7 @@ TEST(IgtlRecordings, ARecordingOfPlusPlaysBackToItsOwnPoses) {
     EXPECT_EQ(client.device->status().tools, (std::vector<std::string>{"ProbeToTracker", "ReferenceToTracker", "StylusToTracker"}));
     std::size_t at = 0;
     for (const SequenceFrame& frame : recording->frames)
-      for (const NamedTransform& transform : frame.transforms) {
+      for (const FrameTransform& transform : frame.transforms) {
         const ToolReading& reading = client.readings[at++];
         EXPECT_EQ(reading.tool, transform.from + "To" + transform.to);
         EXPECT_NEAR(reading.device_s, *frame.time_s, 1e-6);

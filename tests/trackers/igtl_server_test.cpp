@@ -123,12 +123,12 @@ TEST(IgtlServer, OurOwnClientGetsThePoseInRas) {
 
 TEST(IgtlServer, TheSystemsLibraryReadsPoseAndImage) {
   Serving it;
-  GreyImage picture(64, 48);
-  for (std::size_t n = 0; n < picture.pixels.size(); ++n) picture.pixels[n] = static_cast<std::uint8_t>(n % 255);
+  GreyImage grey(64, 48);
+  for (std::size_t n = 0; n < grey.pixels.size(); ++n) grey.pixels[n] = static_cast<std::uint8_t>(n % 255);
   auto socket = igtl::ClientSocket::New();
   ASSERT_EQ(socket->ConnectToServer("127.0.0.1", it.port), 0);
   ASSERT_TRUE(it.hasClients(1));
-  it.sendImage(3, picture);
+  it.sendImage(3, grey);
   bool hasPose = false, hasImage = false;
   while (!hasPose || !hasImage) {
     auto header = igtl::MessageHeader::New();
@@ -149,7 +149,7 @@ TEST(IgtlServer, TheSystemsLibraryReadsPoseAndImage) {
       image->AllocatePack();
       socket->Receive(image->GetPackBodyPointer(), image->GetPackBodySize());
       ASSERT_TRUE(image->Unpack(1) & igtl::MessageHeader::UNPACK_BODY);
-      EXPECT_TRUE(std::equal(picture.pixels.begin(), picture.pixels.end(), static_cast<const std::uint8_t*>(image->GetScalarPointer())));
+      EXPECT_TRUE(std::equal(grey.pixels.begin(), grey.pixels.end(), static_cast<const std::uint8_t*>(image->GetScalarPointer())));
       EXPECT_STREQ(image->GetDeviceName(), "Image_World");
       hasImage = true;
     } else {
@@ -215,13 +215,13 @@ TEST(IgtlServer, APoseThatIsNotOkIsLeftOutAndToldByStatus) {
 
 TEST(IgtlServer, ASlowClientLosesOldImagesAndHoldsUpNobody) {
   Serving it;
-  const GreyImage picture(512, 384, 99);
+  const GreyImage grey(512, 384, 99);
   Visitor slow(it.port, 65536), quick(it.port);
   ASSERT_TRUE(it.hasClients(2));
   std::size_t most_bytes = 0;
   double memory_mb = 0.0;
   for (int n = 1; n <= 200; ++n) {
-    it.sendImage(n, picture);
+    it.sendImage(n, grey);
     ASSERT_TRUE(eventually([&] {
       quick.listen();
       const auto isLatest = [n](const IgtlMessage& one) { return one.type == "IMAGE" && one.time_s == 1e9 + n; };
@@ -234,7 +234,7 @@ TEST(IgtlServer, ASlowClientLosesOldImagesAndHoldsUpNobody) {
   }
   const IgtlServerStatus status = it.server.status();
   EXPECT_GT(status.droppedImages, 100u);
-  EXPECT_LT(most_bytes, 4u * picture.pixels.size());
+  EXPECT_LT(most_bytes, 4u * grey.pixels.size());
   EXPECT_LT(test::resident_mb() - memory_mb, test::kFlat_mb);
   std::cout << status.droppedImages << " images dropped, at most " << most_bytes << " bytes waiting\n";
   // TCP must not take a client that pauses for one that is gone, either. When it listens again, what it gets is whole and ends with the

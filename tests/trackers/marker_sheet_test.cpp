@@ -44,7 +44,7 @@ class MarkerSheet : public ::testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
   static bool hasPoppler() { return std::system("command -v pdftoppm >/dev/null 2>&1 && command -v pdftotext >/dev/null 2>&1") == 0; }
-  /// The pages of a PDF as grey pictures of 300 dots an inch.
+  /// The pages of a PDF as grey images of 300 dots an inch.
   std::vector<cv::Mat> rendered(const fs::path& pdf) {
     const std::string command = "pdftoppm -gray -r 300 '" + pdf.string() + "' '" + (folder_ / "page").string() + "'";
     EXPECT_EQ(std::system(command.c_str()), 0);

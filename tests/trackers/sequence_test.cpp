@@ -26,8 +26,8 @@ bool waitUntil(const std::function<bool()>& isSo, double most_s = 20.0) {
   return true;
 }
 
-NamedTransform at(const std::string& from, double x_mm, PoseStatus status = PoseStatus::ok) {
-  NamedTransform transform{.from = from, .to = "Tracker", .matrix = glm::dmat4(1.0), .status = status};
+FrameTransform at(const std::string& from, double x_mm, PoseStatus status = PoseStatus::ok) {
+  FrameTransform transform{.from = from, .to = "Tracker", .matrix = glm::dmat4(1.0), .status = status};
   transform.matrix[3].x = x_mm;
   return transform;
 }

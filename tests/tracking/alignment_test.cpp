@@ -28,7 +28,7 @@ std::vector<glm::dvec3> adultLandmarks() {
 /// Landmarks as a tracker somewhere sees them, each touched with 1 mm of noise; `wrong` of them beside by `off`.
 struct Setting {
   Transform<frame::World, frame::Tracker> truth;
-  std::vector<TouchedLandmark> touched;
+  std::vector<LandmarkTouch> touched;
 };
 
 Setting touch(const std::vector<glm::dvec3>& places, Dice& dice, double noise_mm, int wrong = -1, const glm::dvec3& off = glm::dvec3(0.0)) {

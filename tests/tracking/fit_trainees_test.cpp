@@ -48,7 +48,7 @@ TrunkToLearnOn trunk() {
     return poseOf(hold);
   };
   teaching.opened.startPose = poseAt({40.0, -200.0, -20.0});
-  ExpectedPlane plane;
+  ReferencePlane plane;
   plane.name = "across the ball";
   plane.probeToWorld = poseAt({-30.0, -500.0, 20.0}).probeToWorld;
   teaching.truth.planes = {plane};

@@ -16,7 +16,7 @@
 #include "assessment/made_ratings.h"
 #include "ew/assessment/rating.h"
 #include "ew/library/attempt.h"
-#include "ew/library/kept_edits.h"
+#include "ew/library/edit_autosave.h"
 #include "ew/ui_test_door/case_document.h"
 #include "ew/ui_test_door/unsaved_work.h"
 #include "library/temporary_folder.h"
@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using case_authoring::KeepingAside;
-using case_authoring::KeptPainting;
+using case_authoring::PaintingAutosave;
 using nlohmann::json;
 using review::CommentHistory;
 using test::TemporaryFolder;
@@ -276,7 +276,7 @@ class Program {
         }
         expect(title() == entry["title"], "what was taken over is " + title());
       }
-      KeptEdits::remove(each);
+      EditAutosave::remove(each);
       auto& all = model_.at["left"];
       all.erase(std::find(all.begin(), all.end(), entry));
     }
@@ -415,7 +415,7 @@ class Program {
     const auto left = aside_->kept().leftFor(folderOf(open_));
     expect(left.has_value() == (latest != all.end()), "painting left in " + open_ + ": " + (left ? "some" : "none") + ", of " + all.dump());
     if (!left) return;
-    const int number = numberOf(sure(KeptPainting::read(*left, noProgress())));
+    const int number = numberOf(sure(PaintingAutosave::read(*left, noProgress())));
     expect(number == (*latest)["number"].get<int>(), "painting left is " + std::to_string(number) + ", not the latest of " + all.dump());
     const int said = upTo(3);
     if (said == 2) return;
@@ -424,7 +424,7 @@ class Program {
       keepAside();
       while (!jobs_.empty()) runJob();
     }
-    KeptPainting::remove(*left);
+    PaintingAutosave::remove(*left);
     all.erase(latest);
   }
 
@@ -463,7 +463,7 @@ class Program {
   UnsavedWork unsaved_;
   std::set<std::string> asked_;
   CaseDocument document_;
-  KeptEdits keptEdits_;
+  EditAutosave keptEdits_;
   std::string open_;
   std::vector<std::string> titles_;
   int now_ = 0, clean_ = 0;
@@ -495,7 +495,7 @@ void makeWorld(const fs::path& home) {
     attempt.lessonId = "lesson";
     attempt.person = "Trainee";
     attempt.startedAt = test::kRatedAt;
-    fs::rename(KeptAttempt::begin(home / "library", attempt)->folder(), home / name);
+    fs::rename(AttemptFolder::begin(home / "library", attempt)->folder(), home / name);
   }
   test::writeText(home / "model.json", Model::fresh().dump());
 }

@@ -18,7 +18,7 @@ bool isFree(const QRect& square, const std::vector<QRect>& taken) {
   return std::none_of(taken.begin(), taken.end(), [&](const QRect& each) { return square.intersects(each); });
 }
 
-/// A convex fan: narrow at the top, as wide as the picture below.
+/// A convex fan: narrow at the top, as wide as the image below.
 Spans convexFan(int rows, int columns) {
   Spans spans(static_cast<std::size_t>(rows));
   for (int row = 0; row < rows; ++row) {

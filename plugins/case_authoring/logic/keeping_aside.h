@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "logic/kept_painting.h"
+#include "logic/painting_autosave.h"
 
 namespace ew::case_authoring {
 
@@ -35,7 +35,7 @@ class KeepingAside final : public std::enable_shared_from_this<KeepingAside> {
   /// What is kept, or on its way, stays as if the program had ended.
   void leave();
   [[nodiscard]] bool isBusy() const { return isBusy_; }
-  [[nodiscard]] const KeptPainting& kept() const { return kept_; }
+  [[nodiscard]] const PaintingAutosave& kept() const { return kept_; }
 
  private:
   struct Next {
@@ -46,7 +46,7 @@ class KeepingAside final : public std::enable_shared_from_this<KeepingAside> {
   void begin(Next next);
   void ended();
 
-  KeptPainting kept_;
+  PaintingAutosave kept_;
   Start start_;
   bool isBusy_ = false;
   std::optional<Next> waiting_;

@@ -56,7 +56,7 @@ class Painting {
   [[nodiscard]] const std::vector<glm::dvec2>& stroke() const { return stroke_; }
 
   /// Outlines that were traced and filled since the label was chosen, each in its own plane: between them is filled at will.
-  [[nodiscard]] const std::vector<labelling::TracedContour>& traced() const { return traced_; }
+  [[nodiscard]] const std::vector<labelling::ContourTrace>& traced() const { return traced_; }
   void forgetTraced() { traced_.clear(); }
   /// @error as labelling::fillBetween
   [[nodiscard]] Result<void> fillBetween(int label, bool onlyUnlabelled, const std::string& what, Progress& progress);
@@ -85,7 +85,7 @@ class Painting {
   int label_ = 0;
   Transform<frame::File, frame::Probe> planeToFile_;
   std::vector<glm::dvec2> stroke_;
-  std::vector<labelling::TracedContour> traced_;
+  std::vector<labelling::ContourTrace> traced_;
 };
 
 }  // namespace ew::case_authoring

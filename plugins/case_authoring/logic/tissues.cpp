@@ -7,16 +7,16 @@
 namespace ew::case_authoring {
 namespace {
 
-constexpr std::array<NamedTissue, 9> kTissues = {{
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Soft tissue"), 0.5, 0.0, 1.6},
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Fluid (bile, urine)"), 0.01, 0.0, 1.53},
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Blood"), 0.18, 0.0, 1.66},
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Fat"), 0.5, 0.0, 1.31},
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Muscle"), 1.0, 0.0, 1.73},
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Stone"), 10.0, 24.0, 2.7},
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Calcification"), 15.0, 18.0, 4.5},
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Bone"), 15.0, 20.0, 6.7},
-    {EW_TRANSLATE_NOOP("ew::case_authoring::NamedTissue", "Gas"), 12.0, 30.0, 0.0004},
+constexpr std::array<TissueChoice, 9> kTissues = {{
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Soft tissue"), 0.5, 0.0, 1.6},
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Fluid (bile, urine)"), 0.01, 0.0, 1.53},
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Blood"), 0.18, 0.0, 1.66},
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Fat"), 0.5, 0.0, 1.31},
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Muscle"), 1.0, 0.0, 1.73},
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Stone"), 10.0, 24.0, 2.7},
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Calcification"), 15.0, 18.0, 4.5},
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Bone"), 15.0, 20.0, 6.7},
+    {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Gas"), 12.0, 30.0, 0.0004},
 }};
 
 const TissueAcoustics* tissueIn(const Scene& scene, int label) {
@@ -28,7 +28,7 @@ bool isSame(double value, double known) { return std::abs(value - known) < 1e-9;
 
 }  // namespace
 
-std::span<const NamedTissue> namedTissues() { return kTissues; }
+std::span<const TissueChoice> namedTissues() { return kTissues; }
 
 bool hasTissue(const Case& shown, int label) { return tissueIn(shown.scene, label) != nullptr; }
 
@@ -48,7 +48,7 @@ Case withTissue(Case edited, int label, const std::string& name, std::optional<s
     std::erase_if(list, isOfLabel);
     return edited;
   }
-  const NamedTissue& chosen = kTissues[*tissue];
+  const TissueChoice& chosen = kTissues[*tissue];
   const TissueAcoustics made{label, name, chosen.attenuation_dbPerCmMhz, chosen.reflection_db, chosen.impedance_mrayl};
   if (hasTissue(edited, label))
     std::replace_if(list.begin(), list.end(), isOfLabel, made);

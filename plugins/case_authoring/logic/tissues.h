@@ -11,14 +11,14 @@ namespace ew::case_authoring {
 
 /// A tissue that a structure of a recorded volume may be said to consist of. The numbers are those of our virtual patients' anatomy
 /// (resources/anatomy), where their sources stand; `reflection_db` is what makes a shadow's edge.
-struct NamedTissue {
+struct TissueChoice {
   const char* name;               ///< translatable in the context kTissueTexts
   double attenuation_dbPerCmMhz;  ///< one way
   double reflection_db;
   double impedance_mrayl;
 };
-inline constexpr const char* kTissueTexts = "ew::case_authoring::NamedTissue";
-[[nodiscard]] std::span<const NamedTissue> namedTissues();
+inline constexpr const char* kTissueTexts = "ew::case_authoring::TissueChoice";
+[[nodiscard]] std::span<const TissueChoice> namedTissues();
 
 /// The named tissue that the case gives a label; empty when it gives none, or other numbers than any of them has (see hasTissue).
 [[nodiscard]] std::optional<std::size_t> tissueOf(const Case& shown, int label);

@@ -76,7 +76,7 @@ class CasePanel final : public QWidget {
   /// @param atStart what is said of the first: "At the start: %1"; empty: nothing
   void addIds(QFormLayout* form, const std::string& path, const QString& label, const QString& none, const QString& atStart,
               const std::vector<std::pair<std::string, std::string>>& known, const CaseTexts& ids);
-  void addPicturesTo(ExaminationsField& field, std::size_t number);
+  void addImagesTo(ExaminationsField& field, std::size_t number);
   [[nodiscard]] std::optional<CaseMeasurement> takeCaliper(const CaseMeasurement& expected);
   void showWarnings();  ///< what looks real, beside its fields
   void showMissing();   ///< what a published case needs, in the heads of the sections

@@ -11,7 +11,7 @@
 #include "ew/widgets/fields.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "panel/pictures_field.h"
+#include "panel/images_field.h"
 
 namespace ew::case_authoring {
 
@@ -98,17 +98,17 @@ void ExaminationsField::addOne(std::size_t number) {
   connect(findings, &QPlainTextEdit::textChanged, this,
           [this, number, findings] { edit(number, &CaseExamination::findings, findings->toPlainText()); });
   rows->addWidget(findings);
-  if (what_ == Of::examinations) addPicturesOf(number, *rows);
+  if (what_ == Of::examinations) addImagesOf(number, *rows);
 }
 
-void ExaminationsField::addPicturesOf(std::size_t number, QVBoxLayout& rows) {
-  auto* shown = new PicturesField(namePrefix(number), folder_, list_[number].pictures);
+void ExaminationsField::addImagesOf(std::size_t number, QVBoxLayout& rows) {
+  auto* shown = new ImagesField(namePrefix(number), folder_, list_[number].images);
   shown->onAdd = [this, number] {
-    if (onPicturesAsked) onPicturesAsked(number);
+    if (onImagesAsked) onImagesAsked(number);
   };
-  shown->onRemove = [this, number](std::size_t picture) {
-    auto& pictures = list_[number].pictures;
-    pictures.erase(pictures.begin() + static_cast<std::ptrdiff_t>(picture));
+  shown->onRemove = [this, number](std::size_t image) {
+    auto& images = list_[number].images;
+    images.erase(images.begin() + static_cast<std::ptrdiff_t>(image));
     remake();
     tell();
   };
@@ -121,11 +121,11 @@ void ExaminationsField::setFolder(const std::filesystem::path& folder) {
   remake();
 }
 
-void ExaminationsField::addPictures(std::size_t number, const std::vector<std::string>& files) {
+void ExaminationsField::addImages(std::size_t number, const std::vector<std::string>& files) {
   if (number >= list_.size() || files.empty()) return;
-  auto& pictures = list_[number].pictures;
+  auto& images = list_[number].images;
   for (const std::string& file : files)
-    if (std::find(pictures.begin(), pictures.end(), file) == pictures.end()) pictures.push_back(file);
+    if (std::find(images.begin(), images.end(), file) == images.end()) images.push_back(file);
   remake();
   tell();
 }

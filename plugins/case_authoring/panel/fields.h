@@ -24,7 +24,7 @@ inline QString nameOf(const std::string& path) { return words(path).replace(QLat
 /// A size that people read has no hundredths: "42 MiB", "4.2 MiB".
 [[nodiscard]] QString sizeWords(std::uint64_t bytes);
 
-/// Earlier examinations, one below the other: when, what kind, what it said, and its pictures. Fields of an examination that it does not
+/// Earlier examinations, one below the other: when, what kind, what it said, and its images. Fields of an examination that it does not
 /// show stay as they are.
 class ExaminationsField final : public QWidget {
   Q_OBJECT
@@ -36,16 +36,16 @@ class ExaminationsField final : public QWidget {
 
   void setValue(const std::vector<CaseExamination>& list);
   std::function<void(const std::vector<CaseExamination>& list)> onChanged;  ///< called when the user edits
-  void setFolder(const std::filesystem::path& folder);                      ///< of the case, where its pictures lie
-  /// The user wants pictures in an examination; answered by addPictures.
-  std::function<void(std::size_t number)> onPicturesAsked;
+  void setFolder(const std::filesystem::path& folder);                      ///< of the case, where its images lie
+  /// The user wants images in an examination; answered by addPictures.
+  std::function<void(std::size_t number)> onImagesAsked;
   /// @param files in the case folder, as it names them ("media/….png"); those that are there already stay once
-  void addPictures(std::size_t number, const std::vector<std::string>& files);
+  void addImages(std::size_t number, const std::vector<std::string>& files);
 
  private:
   void remake();
   void addOne(std::size_t number);
-  void addPicturesOf(std::size_t number, QVBoxLayout& rows);
+  void addImagesOf(std::size_t number, QVBoxLayout& rows);
   void tell();
   [[nodiscard]] QString namePrefix(std::size_t number) const;
   void edit(std::size_t number, std::string CaseExamination::*text, const QString& typed);

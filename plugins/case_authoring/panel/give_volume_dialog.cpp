@@ -20,7 +20,7 @@ namespace ew::case_authoring {
 namespace {
 
 /// What giving a volume changes, on the case as it is by now.
-Case withGiven(Case present, const GivenVolume& given) {
+Case withGiven(Case present, const VolumeReplacement& given) {
   present.volume = given.edited.volume;
   present.targets = given.edited.targets;
   present.measurements = given.edited.measurements;
@@ -92,7 +92,7 @@ void GiveVolumeDialog::give() {
   const auto folder = host_.cases().currentFolder();
   if (!opened) return;
   const RecordingRights rights = rights_->rights();
-  auto given = std::make_shared<GivenVolume>();
+  auto given = std::make_shared<VolumeReplacement>();
   hide();
   host_.jobs().startSaving(
       tr("Putting the volume into the case").toStdString(),

@@ -346,7 +346,7 @@ void NewCaseDialog::showPlan(const NewCasePlan& found) {
 }
 
 void NewCaseDialog::make() {
-  auto made = std::make_shared<MadeCase>();
+  auto made = std::make_shared<CaseCreation>();
   const fs::path target = folder();
   const NewCase asked = wanted();
   hide();

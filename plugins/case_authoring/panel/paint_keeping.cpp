@@ -29,7 +29,7 @@ void PaintWork::rememberCase() {
 void PaintWork::startKeepingAside() {
   aside_->keep({painting_->labels(), caseFolder_, before_},
                [self = QPointer<PaintWork>(this), aside = aside_, earlier = takenOver_](const Result<void>& outcome) {
-                 if (outcome && earlier) KeptPainting::remove(*earlier);
+                 if (outcome && earlier) PaintingAutosave::remove(*earlier);
                  if (!self || self->aside_ != aside) return;  // another case was opened meanwhile, and all of it is being kept
                  if (outcome) self->takenOver_.reset();
                  if (!outcome) self->say(outcome.error());
@@ -47,7 +47,7 @@ void PaintWork::part(const std::shared_ptr<KeepingAside>& aside) {
 void PaintWork::keepParted(const std::shared_ptr<Parted>& parted) {
   parted->isTried = true;
   parted->aside->keep(parted->painted, [self = QPointer<PaintWork>(this), parted](const Result<void>& outcome) {
-    if (outcome && parted->earlier) KeptPainting::remove(*parted->earlier);
+    if (outcome && parted->earlier) PaintingAutosave::remove(*parted->earlier);
     if (outcome || !self) parted->aside->leave();
     if (self) self->settle(parted, outcome);
   });
@@ -78,7 +78,7 @@ void PaintWork::settle(const std::shared_ptr<Parted>& parted, const Result<void>
 
 void PaintWork::drop(const std::shared_ptr<Parted>& parted) {
   parted->aside->forget();
-  if (parted->earlier) KeptPainting::remove(*parted->earlier);
+  if (parted->earlier) PaintingAutosave::remove(*parted->earlier);
   std::erase(parted_, parted);
   if (onChanged) onChanged();
 }
@@ -124,7 +124,7 @@ void PaintWork::end() {
   painting_.reset();
   voxels_.reset();
   aside_->forget();
-  if (takenOver_) KeptPainting::remove(*std::exchange(takenOver_, std::nullopt));
+  if (takenOver_) PaintingAutosave::remove(*std::exchange(takenOver_, std::nullopt));
   if (onChanged) onChanged();
 }
 
@@ -249,7 +249,7 @@ void PaintWork::goOnWithLeft() {
   if ((!left_ && !unkept) || isBusy_ || painting_) return;
   if (!scanned || !place || !host_.cases().scan())
     return say(tr("The volume of this case is not what is scanned at the moment; choose View, Scan the case's volume."));
-  auto labels = unkept ? Result<Volume>(unkept->painted.labels) : KeptPainting::read(*left_, noProgress());
+  auto labels = unkept ? Result<Volume>(unkept->painted.labels) : PaintingAutosave::read(*left_, noProgress());
   if (!labels) return say(labels.error());
   auto begun = Painting::goOn(std::move(*labels), *scanned, *place);
   if (!begun) return say(begun.error());
@@ -268,7 +268,7 @@ void PaintWork::goOnWithLeft() {
 
 void PaintWork::discardLeft() {
   if (const auto unkept = unkeptHere()) return drop(unkept);
-  if (left_) KeptPainting::remove(*left_);
+  if (left_) PaintingAutosave::remove(*left_);
   left_.reset();
   if (onChanged) onChanged();
 }

@@ -89,10 +89,10 @@ class PaintWork final : public QObject {
   /// What was painted in a case that another was opened in place of, until it is kept aside.
   struct Parted {
     KeepingAside::Painted painted;
-    std::shared_ptr<KeepingAside> aside;        ///< which holds what was kept of it before
-    std::optional<KeptPainting::Left> earlier;  ///< of another program; it goes once this is kept
-    QString title;                              ///< of the case
-    bool isTried = true;                        ///< it is being kept; false: it could not be
+    std::shared_ptr<KeepingAside> aside;            ///< which holds what was kept of it before
+    std::optional<PaintingAutosave::Left> earlier;  ///< of another program; it goes once this is kept
+    QString title;                                  ///< of the case
+    bool isTried = true;                            ///< it is being kept; false: it could not be
   };
   void part(const std::shared_ptr<KeepingAside>& aside);
   void keepParted(const std::shared_ptr<Parted>& parted);
@@ -117,7 +117,7 @@ class PaintWork final : public QObject {
   std::string before_;                    ///< what the case named as its labels, as it was last seen open
   QString title_;                         ///< of the case
   std::shared_ptr<KeepingAside> aside_;
-  std::optional<KeptPainting::Left> left_, takenOver_;
+  std::optional<PaintingAutosave::Left> left_, takenOver_;
   std::vector<std::shared_ptr<Parted>> parted_;
   sdk::Ticket asking_, closing_, holding_;
   bool isBusy_ = false;

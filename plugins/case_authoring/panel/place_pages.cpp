@@ -150,7 +150,7 @@ void PlanePage::setTarget(const Case& shown, const CaseTarget& target) {
 void PlanePage::see(const ScanState& image) {
   if (!target_.probeToFile) return;
   const PlaneTolerance tolerance{position_->value(), angle_->value()};
-  // Judged where the middle of the picture is, as it is for a trainee.
+  // Judged where the middle of the image is, as it is for a trainee.
   const auto error = planeError({fileToWorld_ * *target_.probeToFile, {0.0, 0.5 * seenSize_mm(image).y}}, image.pose.probeToWorld);
   const QString figures = tr("%1 mm and %2° away").arg(shownNumber(error.distance_mm), shownNumber(error.angle_deg, 0));
   away_->setText(isFound(error, tolerance) ? tr("%1: within the tolerance").arg(figures) : figures);

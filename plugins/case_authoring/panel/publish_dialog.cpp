@@ -234,7 +234,7 @@ bool PublishDialog::saved() {
 
 void PublishDialog::publish() {
   if (!saved()) return;
-  auto published = std::make_shared<PublishedCase>();
+  auto published = std::make_shared<CaseRevision>();
   working_ = true;
   showButtons();
   host_.jobs().startSaving(

@@ -26,8 +26,8 @@
 #include "panel/fields.h"
 #include "panel/files_dialog.h"
 #include "panel/give_volume_dialog.h"
+#include "panel/images_field.h"
 #include "panel/measurements_field.h"
-#include "panel/pictures_field.h"
 #include "panel/publish_dialog.h"
 #include "panel/section.h"
 
@@ -177,9 +177,9 @@ void CasePanel::addIds(QFormLayout* form, const std::string& path, const QString
       addRow(form, label, cell, path)};
 }
 
-void CasePanel::addPicturesTo(ExaminationsField& field, std::size_t number) {
+void CasePanel::addImagesTo(ExaminationsField& field, std::size_t number) {
   const QStringList chosen =
-      QFileDialog::getOpenFileNames(window(), tr("Pictures of an earlier examination"), QString(), tr("Pictures (*.png *.jpg *.jpeg)"));
+      QFileDialog::getOpenFileNames(window(), tr("Images of an earlier examination"), QString(), tr("Images (*.png *.jpg *.jpeg)"));
   if (chosen.isEmpty()) return;
   if (const auto own = host_.cases().makeOwn(); !own) {
     if (own.error().code != ErrorCode::cancelled) say(own.error());
@@ -189,20 +189,20 @@ void CasePanel::addPicturesTo(ExaminationsField& field, std::size_t number) {
   std::vector<std::string> added;
   QStringList problems;
   for (const QString& file : chosen) {
-    const auto picture = cleanPicture(file.toStdString());
-    if (!picture) {
-      problems << words(picture.error());
+    const auto image = cleanImage(file.toStdString());
+    if (!image) {
+      problems << words(image.error());
       continue;
     }
-    const std::string name = pictureName(*picture);
+    const std::string name = imageName(*image);
     std::error_code failed;
     std::filesystem::create_directories((folder / name).parent_path(), failed);
-    if (const auto written = host_.files().writeText(folder / name, picture->bytes); !written)
+    if (const auto written = host_.files().writeText(folder / name, image->bytes); !written)
       problems << words(written.error());
     else
       added.push_back(name);
   }
-  field.addPictures(number, added);
+  field.addImages(number, added);
   if (!problems.isEmpty()) setProblem(fields_["previous_examinations"].problem, problems.join(QLatin1Char('\n')));
 }
 

@@ -46,7 +46,7 @@ void CasePanel::addLines(QFormLayout* form, const std::string& path, const CaseT
 void CasePanel::addExaminations(QFormLayout* form) {
   const std::string path = "previous_examinations";
   auto* field = new ExaminationsField;
-  field->onPicturesAsked = [this, field](std::size_t number) { addPicturesTo(*field, number); };
+  field->onImagesAsked = [this, field](std::size_t number) { addImagesTo(*field, number); };
   field->onChanged = [this, path](const std::vector<CaseExamination>& list) {
     change(path, tr("Change the earlier examinations"), [&](Case edited) {
       edited.previousExaminations = list;

@@ -22,7 +22,7 @@
 
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
-#include "ew/widgets/picture_image.h"
+#include "ew/widgets/qt_image.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "logic/until_told.h"

@@ -85,7 +85,7 @@ class SourceField final : public QWidget {
   QCheckBox* images_ = nullptr;
   QLineEdit* calibration_ = nullptr;
   QLabel* remark_ = nullptr;
-  std::optional<sdk::ShownVolume> shown_;
+  std::optional<sdk::DisplayVolume> shown_;
   QFormLayout* asked_ = nullptr;
   QWidget* askedRows_ = nullptr;
   QSpinBox* timeStep_ = nullptr;

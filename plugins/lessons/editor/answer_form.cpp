@@ -19,7 +19,7 @@ namespace {
 /// A question's answers: options of which some are right, each with what is said to whoever chose it; or a number.
 class AnswerForm final : public TaskForm {
  public:
-  AnswerForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited, parent) {
+  AnswerForm(const StepEdit& edited, QWidget* parent) : TaskForm(edited, parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid_px);
@@ -89,7 +89,7 @@ class AnswerForm final : public TaskForm {
 
   QWidget* makeNumberPart() {
     auto* form = new FieldForm;
-    const EditedStep at = edited();
+    const StepEdit at = edited();
     form->addNumber("answerNumberRight", tr("Right is"), {.lowest = -1e9, .highest = 1e9, .decimals = 2},
                     {[at] { return at.task<AnswerTask>().number; },
                      [at](const std::optional<double>& value) {
@@ -173,6 +173,6 @@ class AnswerForm final : public TaskForm {
 
 std::vector<AnswerOption> twoAnswers() { return {AnswerForm::newAnswer(0), AnswerForm::newAnswer(1)}; }
 
-TaskForm* makeAnswerForm(const EditedStep& edited, QWidget* parent) { return new AnswerForm(edited, parent); }
+TaskForm* makeAnswerForm(const StepEdit& edited, QWidget* parent) { return new AnswerForm(edited, parent); }
 
 }  // namespace ew::lessons

@@ -15,8 +15,8 @@ ExpertTake::ExpertTake(sdk::Host& host, QObject* parent) : QObject(parent), host
   connect(&timer_, &QTimer::timeout, this, &ExpertTake::tick);
   tickets_ = {host_.scan().onEvent([this](const ScanEvent& event) {
                 if (!recorder_.isRecording()) return;
-                const Picture picture = host_.scan().picture();
-                recorder_.see(event, host_.scan().state(), {picture.width(), picture.height()});
+                const DisplayImage display = host_.scan().image();
+                recorder_.see(event, host_.scan().state(), {display.width(), display.height()});
               }),
               host_.caseParts().onOpened([this](const std::filesystem::path& folder) { followCase(folder); }),
               host_.window().onClosing([this] {
@@ -54,8 +54,8 @@ Result<void> ExpertTake::start(const std::string& lessonId, const std::string& s
   const double now_s = host_.scan().now_s();
   recorder_.start(caseId, title, now_s);
   // A probe that rests makes no image by itself: the scan begins with what is shown.
-  const Picture picture = host_.scan().picture();
-  recorder_.see({now_s, FrameMade{image->pose, image->gaps_mm, image->number, image->body}}, image, {picture.width(), picture.height()});
+  const DisplayImage display = host_.scan().image();
+  recorder_.see({now_s, FrameMade{image->pose, image->gaps_mm, image->number, image->body}}, image, {display.width(), display.height()});
   timer_.start();
   Q_EMIT changed();
   return {};
@@ -91,9 +91,9 @@ Result<ScanRecording> ExpertTake::stop(std::vector<double>& marks_s) {
   timer_.stop();
   const auto image = host_.scan().state();
   if (image && !recorder_.isPaused()) {  // a hand that has come to rest is seen until the end
-    const Picture picture = host_.scan().picture();
+    const DisplayImage display = host_.scan().image();
     recorder_.see({host_.scan().now_s(), FrameMade{image->pose, image->gaps_mm, image->number, image->body}}, image,
-                  {picture.width(), picture.height()});
+                  {display.width(), display.height()});
   }
   keep();
   auto made = recorder_.stop(host_.scan().now_s());

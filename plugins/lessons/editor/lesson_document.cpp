@@ -75,7 +75,7 @@ const std::vector<Case>& LessonDocument::library() const {
   if (auto shipped = shippedCasesFolder()) roots.push_back(*shipped);
   for (const auto& root : roots)
     for (Case& each : listCases(root).cases) add(std::move(each));
-  for (const PublishedCase& each : listPublished(libraryFolder()))
+  for (const CaseRevision& each : listPublished(libraryFolder()))
     if (auto opened = loadCase(each.folder)) add(std::move(*opened));
   return *library_;
 }
@@ -98,12 +98,12 @@ std::vector<LessonProblem> LessonDocument::problemsOf(const Lesson& lesson) cons
 
 Result<void> LessonDocument::makeOwn() { return host_.cases().makeOwn(); }
 
-const LessonStep* EditedStep::step() const {
+const LessonStep* StepEdit::step() const {
   const Lesson* in = lesson();
   return in == nullptr ? nullptr : stepIn(*in, stepId);
 }
 
-Result<void> EditedStep::change(const QString& what, const std::string& field, const std::function<void(LessonStep&)>& change) const {
+Result<void> StepEdit::change(const QString& what, const std::string& field, const std::function<void(LessonStep&)>& change) const {
   const std::string key = field.empty() ? std::string() : lessonId + "/" + stepId + "/" + field;
   return document.edit(what, key, [&](Lessons lessons) {
     return withChanged(std::move(lessons), lessonId, [&](Lesson& one) { one = withStepChanged(std::move(one), stepId, change); });

@@ -65,7 +65,7 @@ class LessonDocument final : public QObject {
 };
 
 /// One step of one lesson, as its forms edit it.
-struct EditedStep {
+struct StepEdit {
   LessonDocument& document;
   std::string lessonId, stepId;
 

@@ -11,7 +11,7 @@
 #include "editor/task_form.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/scrolled_rows.h"
+#include "ew/widgets/scroll_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/lesson_list.h"
@@ -33,7 +33,7 @@ LessonPage::LessonPage(LessonDocument& document, QWidget* parent) : QWidget(pare
   connect(try_, &QPushButton::clicked, this, &LessonPage::tryAsked);
   top->addWidget(try_);
   column->addLayout(top);
-  auto* scrolled = new ScrolledRows(2 * kGrid_px);
+  auto* scrolled = new ScrollRows(2 * kGrid_px);
   head_ = headingLabel({});
   head_->setWordWrap(true);
   scrolled->rows()->addWidget(head_);

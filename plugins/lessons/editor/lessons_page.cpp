@@ -110,7 +110,7 @@ void LessonsPage::addUnusedRow(QVBoxLayout& column) {
   unused_ = quietLabel({});
   unused_->setObjectName(QStringLiteral("unusedLessonFiles"));
   auto* clean = smallButton(tr("Remove them"), "removeUnusedLessonFiles",
-                            tr("Remove scans and pictures that no lesson names; undo cannot bring them back"));
+                            tr("Remove scans and images that no lesson names; undo cannot bring them back"));
   connect(clean, &QPushButton::clicked, this, &LessonsPage::removeUnused);
   row->addWidget(unused_);
   row->addWidget(clean, 0, Qt::AlignLeft);
@@ -187,7 +187,7 @@ void LessonsPage::removeUnused() {
   if (!document_.home() || document_.host().cases().hasUnsavedChanges()) return;
   if (QMessageBox::question(
           this, tr("Remove files"),
-          tr("Scans and pictures that no lesson names are removed from the case folder. Undoing an earlier edit cannot bring "
+          tr("Scans and images that no lesson names are removed from the case folder. Undoing an earlier edit cannot bring "
              "them back."),
           QMessageBox::Ok | QMessageBox::Cancel) != QMessageBox::Ok)
     return;

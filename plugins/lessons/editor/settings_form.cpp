@@ -23,7 +23,7 @@ namespace {
 
 class SettingsForm final : public TaskForm {
  public:
-  SettingsForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited, parent) {
+  SettingsForm(const StepEdit& edited, QWidget* parent) : TaskForm(edited, parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid_px);
@@ -169,6 +169,6 @@ class SettingsForm final : public TaskForm {
 
 }  // namespace
 
-TaskForm* makeSettingsForm(const EditedStep& edited, QWidget* parent) { return new SettingsForm(edited, parent); }
+TaskForm* makeSettingsForm(const StepEdit& edited, QWidget* parent) { return new SettingsForm(edited, parent); }
 
 }  // namespace ew::lessons

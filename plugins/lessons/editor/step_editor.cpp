@@ -11,7 +11,7 @@
 #include "editor/order_list.h"
 #include "editor/task_form.h"
 #include "ew/widgets/labels.h"
-#include "ew/widgets/scrolled_rows.h"
+#include "ew/widgets/scroll_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/aid_words.h"
@@ -19,14 +19,14 @@
 
 namespace ew::lessons {
 
-TaskForm* makeTaskForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) {
+TaskForm* makeTaskForm(const StepEdit& edited, ExpertTake& take, QWidget* parent) {
   const LessonStep* step = edited.step();
   if (step == nullptr) return nullptr;
   struct Make {
-    const EditedStep& edited;
+    const StepEdit& edited;
     ExpertTake& take;
     QWidget* parent;
-    TaskForm* operator()(const ReadTask&) const { return makeReadForm(edited, parent); }
+    TaskForm* operator()(const ReadingTask&) const { return makeReadForm(edited, parent); }
     TaskForm* operator()(const WatchTask&) const { return makeWatchForm(edited, take, parent); }
     TaskForm* operator()(const PlaneTask&) const { return makePlaneForm(edited, parent); }
     TaskForm* operator()(const SweepTask&) const { return makeSweepForm(edited, parent); }
@@ -64,7 +64,7 @@ StepEditor::StepEditor(LessonDocument& document, ExpertTake& take, QWidget* pare
   top->addStretch(1);
   top->addWidget(tryIt);
   column->addLayout(top);
-  scrolled_ = new ScrolledRows(2 * kGrid_px);
+  scrolled_ = new ScrollRows(2 * kGrid_px);
   column->addWidget(scrolled_, 1);
 }
 
@@ -106,7 +106,7 @@ void StepEditor::refresh() {
 
 void StepEditor::build() {
   close();
-  const EditedStep edited{document_, lessonId_, stepId_};
+  const StepEdit edited{document_, lessonId_, stepId_};
   kind_ = edited.step()->task.index();
   QVBoxLayout* rows = scrolled_->rows();
   kindName_ = headingLabel({});
@@ -129,7 +129,7 @@ void StepEditor::build() {
 
 namespace {
 
-FieldForm::TextAccess textOf(const EditedStep& edited, const QString& what, const char* field, std::string LessonStep::*member) {
+FieldForm::TextAccess textOf(const StepEdit& edited, const QString& what, const char* field, std::string LessonStep::*member) {
   return {[edited, member] { return edited.step() == nullptr ? QString() : words(edited.step()->*member); },
           [edited, what, field, member](const QString& typed) {
             return edited.change(what, field, [&](LessonStep& step) { step.*member = typed.toStdString(); });
@@ -138,14 +138,14 @@ FieldForm::TextAccess textOf(const EditedStep& edited, const QString& what, cons
 
 }  // namespace
 
-void StepEditor::addTexts(const EditedStep& edited) {
+void StepEditor::addTexts(const StepEdit& edited) {
   const bool isQuestion = std::holds_alternative<AnswerTask>(edited.step()->task);
   texts_->addLine("stepTitle", tr("Title"), textOf(edited, tr("Change a step's title"), "title", &LessonStep::title));
   texts_->addText("stepText", isQuestion ? tr("Question") : tr("What to do"),
                   textOf(edited, tr("Change what a step says"), "text", &LessonStep::text), 5);
 }
 
-void StepEditor::addRest(const EditedStep& edited) {
+void StepEditor::addRest(const StepEdit& edited) {
   rest_->addHeading(tr("Help"));
   rest_->addText("stepLookFor", tr("Look for"), textOf(edited, tr("Change what to look for"), "lookFor", &LessonStep::lookFor), 2);
   rest_->addText("stepHints", tr("Hints"),
@@ -174,7 +174,7 @@ void StepEditor::addRest(const EditedStep& edited) {
   addCase(edited);
 }
 
-void StepEditor::addAids(const EditedStep& edited) {
+void StepEditor::addAids(const StepEdit& edited) {
   rest_->addRemark(tr("May be switched on:"));
   for (const AidWords& aid : kAidWords)
     rest_->addFlag(aid.name, aidText(aid),
@@ -189,7 +189,7 @@ void StepEditor::addAids(const EditedStep& edited) {
                   }});
 }
 
-void StepEditor::addCase(const EditedStep& edited) {
+void StepEditor::addCase(const StepEdit& edited) {
   rest_->addChoice("stepCase", tr("Scans"),
                    [this] {
                      FieldForm::Options cases = {{std::string(), tr("this case")}};

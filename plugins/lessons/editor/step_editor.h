@@ -10,7 +10,7 @@ class QLabel;
 class QPushButton;
 
 namespace ew {
-class ScrolledRows;
+class ScrollRows;
 }
 
 namespace ew::lessons {
@@ -38,10 +38,10 @@ class StepEditor final : public QWidget {
 
  private:
   void build();
-  void addTexts(const EditedStep& edited);
-  void addRest(const EditedStep& edited);
-  void addCase(const EditedStep& edited);
-  void addAids(const EditedStep& edited);
+  void addTexts(const StepEdit& edited);
+  void addRest(const StepEdit& edited);
+  void addCase(const StepEdit& edited);
+  void addAids(const StepEdit& edited);
   void step(int by);
 
   LessonDocument& document_;
@@ -53,7 +53,7 @@ class StepEditor final : public QWidget {
   QPushButton* earlier_ = nullptr;
   QPushButton* later_ = nullptr;
   QLabel* missing_ = nullptr;
-  ScrolledRows* scrolled_ = nullptr;
+  ScrollRows* scrolled_ = nullptr;
   FieldForm* texts_ = nullptr;
   FieldForm* rest_ = nullptr;
   TaskForm* task_ = nullptr;

@@ -19,7 +19,7 @@ QString tr_(const char* text) { return QCoreApplication::translate("ew::lessons:
 /// A form that is fields alone.
 class TargetForm final : public TaskForm {
  public:
-  TargetForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited, parent) {
+  TargetForm(const StepEdit& edited, QWidget* parent) : TaskForm(edited, parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     form_ = new FieldForm;
@@ -36,7 +36,7 @@ class TargetForm final : public TaskForm {
 
 using Kinds = std::initializer_list<CaseTarget::Kind>;
 
-std::vector<std::string> targetsOf(const EditedStep& edited, const std::vector<CaseTarget::Kind>& kinds) {
+std::vector<std::string> targetsOf(const StepEdit& edited, const std::vector<CaseTarget::Kind>& kinds) {
   std::vector<std::string> names;
   const LessonStep* step = edited.step();
   const Case* scanned = step == nullptr ? nullptr : edited.document.scannedBy(*step);
@@ -53,7 +53,7 @@ FieldForm::Options optionsOf(const std::vector<std::string>& names, const QStrin
 }
 
 template <class Task>
-void addTarget(FieldForm& form, const EditedStep& edited, const QString& label, const QString& none, Kinds kinds) {
+void addTarget(FieldForm& form, const StepEdit& edited, const QString& label, const QString& none, Kinds kinds) {
   form.addChoice("stepTarget", label, [edited, none, kinds = std::vector(kinds)] { return optionsOf(targetsOf(edited, kinds), none); },
                  {[edited] { return edited.task<Task>().target; },
                   [edited](const std::string& target) {
@@ -62,7 +62,7 @@ void addTarget(FieldForm& form, const EditedStep& edited, const QString& label, 
 }
 
 template <class Task>
-FieldForm::Access<std::optional<double>> tolerance(const EditedStep& edited, const char* field, std::optional<double> Task::*member) {
+FieldForm::Access<std::optional<double>> tolerance(const StepEdit& edited, const char* field, std::optional<double> Task::*member) {
   return {[edited, member] { return edited.task<Task>().*member; },
           [edited, field, member](const std::optional<double>& value) {
             return edited.changeTask<Task>(tr_("Change a tolerance"), field, [&](Task& task) { task.*member = value; });
@@ -72,7 +72,7 @@ FieldForm::Access<std::optional<double>> tolerance(const EditedStep& edited, con
 /// Planes and structures of which a free scan is to show some.
 class FreeForm final : public TaskForm {
  public:
-  FreeForm(const EditedStep& edited, QWidget* parent) : TaskForm(edited, parent) {
+  FreeForm(const StepEdit& edited, QWidget* parent) : TaskForm(edited, parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGrid_px);
@@ -127,7 +127,7 @@ class FreeForm final : public TaskForm {
   QLabel* none_ = nullptr;
 };
 
-std::vector<std::string> measurementsOf(const EditedStep& edited) {
+std::vector<std::string> measurementsOf(const StepEdit& edited) {
   std::vector<std::string> names;
   const LessonStep* step = edited.step();
   if (const Case* scanned = step == nullptr ? nullptr : edited.document.scannedBy(*step))
@@ -137,7 +137,7 @@ std::vector<std::string> measurementsOf(const EditedStep& edited) {
 
 }  // namespace
 
-TaskForm* makePlaneForm(const EditedStep& edited, QWidget* parent) {
+TaskForm* makePlaneForm(const StepEdit& edited, QWidget* parent) {
   auto* made = new TargetForm(edited, parent);
   addTarget<PlaneTask>(made->form(), edited, tr_("Plane"), tr_("The case has no planes"), {CaseTarget::Kind::plane});
   const QString own = tr_("as the plane says");
@@ -148,7 +148,7 @@ TaskForm* makePlaneForm(const EditedStep& edited, QWidget* parent) {
   return made;
 }
 
-TaskForm* makeSweepForm(const EditedStep& edited, QWidget* parent) {
+TaskForm* makeSweepForm(const StepEdit& edited, QWidget* parent) {
   auto* made = new TargetForm(edited, parent);
   addTarget<SweepTask>(made->form(), edited, tr_("Structure"), tr_("The case has no structures"), {CaseTarget::Kind::structure});
   made->form().addNumber("sweepShare", tr_("To be seen"), {.lowest = 5, .highest = 100, .unit = QStringLiteral("%"), .step = 5},
@@ -160,7 +160,7 @@ TaskForm* makeSweepForm(const EditedStep& edited, QWidget* parent) {
   return made;
 }
 
-TaskForm* makeMeasureForm(const EditedStep& edited, QWidget* parent) {
+TaskForm* makeMeasureForm(const StepEdit& edited, QWidget* parent) {
   auto* made = new TargetForm(edited, parent);
   made->form().addChoice(
       "stepTarget", tr_("Measurement"), [edited] { return optionsOf(measurementsOf(edited), tr_("The case expects none")); },
@@ -175,13 +175,13 @@ TaskForm* makeMeasureForm(const EditedStep& edited, QWidget* parent) {
   return made;
 }
 
-TaskForm* makePointForm(const EditedStep& edited, QWidget* parent) {
+TaskForm* makePointForm(const StepEdit& edited, QWidget* parent) {
   auto* made = new TargetForm(edited, parent);
   addTarget<PointTask>(made->form(), edited, tr_("Point or structure"), tr_("The case has neither"),
                        {CaseTarget::Kind::point, CaseTarget::Kind::structure});
   return made;
 }
 
-TaskForm* makeFreeForm(const EditedStep& edited, QWidget* parent) { return new FreeForm(edited, parent); }
+TaskForm* makeFreeForm(const StepEdit& edited, QWidget* parent) { return new FreeForm(edited, parent); }
 
 }  // namespace ew::lessons

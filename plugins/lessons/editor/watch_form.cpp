@@ -21,7 +21,7 @@
 
 namespace ew::lessons {
 
-WatchForm::WatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) : TaskForm(edited, parent), take_(take) {
+WatchForm::WatchForm(const StepEdit& edited, ExpertTake& take, QWidget* parent) : TaskForm(edited, parent), take_(take) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kGrid_px);
@@ -124,7 +124,7 @@ struct WatchForm::ScanToKeep {
 };
 
 /// @error notFound: the case or the step that it was recorded for is not there any more
-Result<void> WatchForm::nameInStep(const EditedStep& at, const ScanToKeep& kept) {
+Result<void> WatchForm::nameInStep(const StepEdit& at, const ScanToKeep& kept) {
   if (at.document.folder() != kept.folder)
     return failure(ErrorCode::notFound,
                    ew::say<"Another case was opened before the expert's scan was kept; open the case it is for again.">());
@@ -153,7 +153,7 @@ void WatchForm::keep(ScanRecording made, const std::vector<double>& marks_s, boo
         return {};
       },
       [form = QPointer<WatchForm>(this), document = QPointer<LessonDocument>(&edited().document), take = QPointer<ExpertTake>(&take_),
-       at = isTaken ? EditedStep{edited().document, take_.lessonId(), take_.stepId()} : edited(), kept, isTaken](const Result<void>& done) {
+       at = isTaken ? StepEdit{edited().document, take_.lessonId(), take_.stepId()} : edited(), kept, isTaken](const Result<void>& done) {
         if (!document || !take) return;
         const Result<void> named = done ? nameInStep(at, *kept) : done;
         const QString problem =
@@ -299,6 +299,6 @@ void WatchForm::change(const QString& what, const std::string& field, const std:
 
 void WatchForm::say(const Result<void>& done) { setProblem(problem_, done ? QString() : words(done.error())); }
 
-TaskForm* makeWatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent) { return new WatchForm(edited, take, parent); }
+TaskForm* makeWatchForm(const StepEdit& edited, ExpertTake& take, QWidget* parent) { return new WatchForm(edited, take, parent); }
 
 }  // namespace ew::lessons

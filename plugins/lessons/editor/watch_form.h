@@ -25,7 +25,7 @@ class WatchForm final : public TaskForm {
   Q_OBJECT
 
  public:
-  WatchForm(const EditedStep& edited, ExpertTake& take, QWidget* parent);
+  WatchForm(const StepEdit& edited, ExpertTake& take, QWidget* parent);
   ~WatchForm() override;
   void showTask(bool typed) override;
 
@@ -41,7 +41,7 @@ class WatchForm final : public TaskForm {
   struct ScanToKeep;
   void keep(ScanRecording made, const std::vector<double>& marks_s, bool isTaken);
   void saveTaken(ScanRecording made);
-  [[nodiscard]] static Result<void> nameInStep(const EditedStep& at, const ScanToKeep& kept);
+  [[nodiscard]] static Result<void> nameInStep(const StepEdit& at, const ScanToKeep& kept);
   void choose(const std::filesystem::path& file);
   void load();
   void showRecording();

@@ -114,7 +114,7 @@ QWidget* WatchForm::makeMark(std::size_t number, const ExpertMark& mark) {
   head->addStretch(1);
   column->addLayout(head);
   auto* form = new FieldForm;
-  const EditedStep at = edited();
+  const StepEdit at = edited();
   form->addText(("markText_" + std::to_string(number)).c_str(), {},
                 {[at, number] {
                    const WatchTask task = at.task<WatchTask>();

@@ -103,7 +103,7 @@ Result<LessonStep> stepOf(const Exercise& exercise, const ExerciseGround& ground
   step.passLevel = kPassScore;
   step.time_s = difficulty.time_s;
   if (exercise.kind == ExerciseKind::findPlane) {
-    const ExpectedPlane* plane = planeOf(exercise, ground.truth);
+    const ReferencePlane* plane = planeOf(exercise, ground.truth);
     if (plane == nullptr) return lost();
     const PlaneTolerance tolerance = toleranceOf(*plane);
     step.task =
@@ -112,7 +112,7 @@ Result<LessonStep> stepOf(const Exercise& exercise, const ExerciseGround& ground
     if (structureOf(exercise, ground.truth) == nullptr) return lost();
     step.task = PointTask{exercise.target};
   } else {
-    const ExpectedMeasurement* measurement = measurementOf(exercise, ground.truth);
+    const ReferenceMeasurement* measurement = measurementOf(exercise, ground.truth);
     if (measurement == nullptr) return lost();
     step.task = MeasureTask{exercise.target, std::max(kFinestTolerance_mm, difficulty.toleranceFactor * toleranceOf(*measurement))};
   }

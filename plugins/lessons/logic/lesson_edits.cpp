@@ -63,7 +63,7 @@ nlohmann::json withLessons(nlohmann::json section, const Lessons& lessons) {
 LessonStep newStep(std::string_view taskWord, std::string title) {
   LessonStep step;
   step.title = std::move(title);
-  step.task = taskOfWord(taskWord).value_or(ReadTask{});
+  step.task = taskOfWord(taskWord).value_or(ReadingTask{});
   return step;
 }
 

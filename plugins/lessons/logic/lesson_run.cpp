@@ -31,7 +31,7 @@ std::chrono::sys_seconds now() { return std::chrono::floor<std::chrono::seconds>
 
 }  // namespace
 
-LessonRun::LessonRun(Lesson lesson, std::optional<KeptAttempt> attempt) : lesson_(std::move(lesson)), attempt_(std::move(attempt)) {
+LessonRun::LessonRun(Lesson lesson, std::optional<AttemptFolder> attempt) : lesson_(std::move(lesson)), attempt_(std::move(attempt)) {
   if (!attempt_) return;
   lostStep_ = attempt_->attempt().runningStep;
   // It goes on at the first step that nobody has ended: the steps before it were judged, or skipped.
@@ -53,12 +53,12 @@ Result<LessonRun> LessonRun::begin(Lesson lesson, const std::string& caseId, con
   attempt.launch = launchOfEnvironment();
   attempt.masteryScore = masteryScoreOfEnvironment();
   if (!sealedAnswers.empty()) attempt = withSealedAnswers(std::move(attempt), sealedAnswers);
-  auto kept = KeptAttempt::begin(attempts, std::move(attempt));
+  auto kept = AttemptFolder::begin(attempts, std::move(attempt));
   if (!kept) return passOn(kept.error());
   return LessonRun(std::move(lesson), std::move(*kept));
 }
 
-Result<LessonRun> LessonRun::goOnWith(Lesson lesson, KeptAttempt attempt) {
+Result<LessonRun> LessonRun::goOnWith(Lesson lesson, AttemptFolder attempt) {
   if (auto moved = attempt.goOnAt(lesson); !moved) return passOn(moved.error());
   LessonRun run(std::move(lesson), std::move(attempt));
   const Attempt& tried = run.attempt_->attempt();
@@ -87,7 +87,7 @@ Result<void> LessonRun::startStep(const StepScene& scene, double now_s) {
   auto work = scene.isSealed ? Result<std::unique_ptr<StepWork>>(handedInWork(step())) : workOf(step(), scene.ground());
   if (!work) return passOn(work.error());
   if (auto started = startStep(std::move(*work), now_s); !started) return started;
-  isHandedIn_ = scene.isSealed && !std::holds_alternative<ReadTask>(step().task);
+  isHandedIn_ = scene.isSealed && !std::holds_alternative<ReadingTask>(step().task);
   return {};
 }
 
@@ -107,7 +107,7 @@ Result<void> LessonRun::startStep(std::unique_ptr<StepWork> work, double now_s) 
   return {};
 }
 
-void LessonRun::takeUp(const ScanLog& seen, double used_s, int hints, double now_s) {
+void LessonRun::resume(const ScanLog& seen, double used_s, int hints, double now_s) {
   EW_EXPECTS(isRunning());
   const double later_s = now_s - seen.end_s();
   std::size_t frame = 0;
@@ -213,7 +213,7 @@ Result<StepOutcome> LessonRun::keep(StepOutcome outcome, const KeepFiles& keepFi
       if (auto written = writeRecording(recording, attempt_->folder() / name); !written) return passOn(written.error());
       outcome.recording = name;
     }
-    if (keepFiles) outcome.pictures = keepFiles(*attempt_);
+    if (keepFiles) outcome.images = keepFiles(*attempt_);
     // Finished with the last outcome, whatever becomes of the window then.
     if (auto ended = attempt_->endStep(outcome, isLastOpen() ? std::optional(outcome.at) : std::nullopt); !ended)
       return passOn(ended.error());

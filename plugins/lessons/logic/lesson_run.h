@@ -17,16 +17,16 @@ namespace ew::lessons {
 class LessonRun {
  public:
   /// @param attempt empty: nothing is kept
-  LessonRun(Lesson lesson, std::optional<KeptAttempt> attempt);
+  LessonRun(Lesson lesson, std::optional<AttemptFolder> attempt);
 
-  /// An attempt of this lesson, begun now. @error as KeptAttempt::begin
+  /// An attempt of this lesson, begun now. @error as AttemptFolder::begin
   /// @param sealedAnswers of an examination: SHA-256 of the answers it is to be judged by (Case::sealed); empty: judged at once
   [[nodiscard]] static Result<LessonRun> begin(Lesson lesson, const std::string& caseId, const std::string& person,
                                                const std::filesystem::path& attempts, const std::string& sealedAnswers = {});
 
   /// An attempt that was stopped, at the first step that nobody has ended. One whose steps have all ended is finished now, as of its last
-  /// outcome: its window was closed before anybody went on. @error as KeptAttempt::finish
-  [[nodiscard]] static Result<LessonRun> goOnWith(Lesson lesson, KeptAttempt attempt);
+  /// outcome: its window was closed before anybody went on. @error as AttemptFolder::finish
+  [[nodiscard]] static Result<LessonRun> goOnWith(Lesson lesson, AttemptFolder attempt);
 
   [[nodiscard]] const Lesson& lesson() const { return lesson_; }
   /// Which step is next or runs; as many as there are steps: the lesson is over.
@@ -41,15 +41,15 @@ class LessonRun {
   [[nodiscard]] AttemptResult result(const AssessmentPlan& plan) const;
   /// The step that a crash or a kill took, and that begins anew; empty: none.
   [[nodiscard]] const std::string& lostStep() const { return lostStep_; }
-  [[nodiscard]] const std::optional<KeptAttempt>& attempt() const { return attempt_; }
+  [[nodiscard]] const std::optional<AttemptFolder>& attempt() const { return attempt_; }
 
-  /// Begins the step it stands at. @error as workOf, as KeptAttempt::beginStep
+  /// Begins the step it stands at. @error as workOf, as AttemptFolder::beginStep
   [[nodiscard]] Result<void> startStep(const StepScene& scene, double now_s);
-  /// Begins it with work that is judged in another way than the step's own. @error as KeptAttempt::beginStep
+  /// Begins it with work that is judged in another way than the step's own. @error as AttemptFolder::beginStep
   [[nodiscard]] Result<void> startStep(std::unique_ptr<StepWork> work, double now_s);
   /// What was seen of the step that runs before the program ended, as if it had been seen in one piece up to now.
   /// @param seen on a clock of its own @param used_s of the step by then
-  void takeUp(const ScanLog& seen, double used_s, int hints, double now_s);
+  void resume(const ScanLog& seen, double used_s, int hints, double now_s);
   /// What was scanned in the step that runs.
   [[nodiscard]] const ScanLog& log() const { return log_; }
   void pause(double now_s);
@@ -71,21 +71,21 @@ class LessonRun {
 
   /// Ends the step, judges it, or hands it in when its answers are sealed, and keeps its outcome, with a recording of the scan when there
   /// was one. With the last step that was open the attempt is finished. The run stands at the same step until next() or again(). @param
-  /// keepFiles writes pictures into the attempt's folder and returns their names
-  /// @error as KeptAttempt::endStep, as writeRecording: then the step goes on
-  using KeepFiles = std::function<std::vector<std::string>(const KeptAttempt&)>;
+  /// keepFiles writes images into the attempt's folder and returns their names
+  /// @error as AttemptFolder::endStep, as writeRecording: then the step goes on
+  using KeepFiles = std::function<std::vector<std::string>(const AttemptFolder&)>;
   [[nodiscard]] Result<StepOutcome> endStep(const Handed& handed, double now_s, const KeepFiles& keepFiles = {});
   /// Leaves the step without judging it: it counts as skipped. @error as endStep
   [[nodiscard]] Result<StepOutcome> skipStep(double now_s);
   /// Goes to the step after this one; after the last the attempt is finished, should a step have been lost meanwhile. @error as
-  /// KeptAttempt::finish
+  /// AttemptFolder::finish
   [[nodiscard]] Result<void> next();
   /// Back to a step that was ended, to try it once more; next() then leads to the end again. Expects that none runs.
   void goBackTo(std::size_t step);
   /// Back to the step that a crash took while it was tried once more; next() then leads on from there. Expects that none runs.
   /// @return whether that was so
   bool goBackToLost();
-  /// Gives up the running step, as if it had not begun. @error as KeptAttempt::leaveStep
+  /// Gives up the running step, as if it had not begun. @error as AttemptFolder::leaveStep
   [[nodiscard]] Result<void> leave();
 
  private:
@@ -99,7 +99,7 @@ class LessonRun {
   void follow(const ScanState& image);
 
   Lesson lesson_;
-  std::optional<KeptAttempt> attempt_;
+  std::optional<AttemptFolder> attempt_;
   std::vector<StepOutcome> unkept_;  ///< of a run without an attempt
   std::string lostStep_;
   std::size_t at_ = 0;

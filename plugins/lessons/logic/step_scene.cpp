@@ -2,8 +2,8 @@
 
 namespace ew::lessons {
 
-std::vector<HandedMeasurement> handedOf(const std::vector<sdk::ScanMeasurement>& measured) {
-  std::vector<HandedMeasurement> handed;
+std::vector<MeasurementSubmission> handedOf(const std::vector<sdk::ScanMeasurement>& measured) {
+  std::vector<MeasurementSubmission> handed;
   for (const sdk::ScanMeasurement& each : measured) handed.push_back({each.kind, each.points, each.figures});
   return handed;
 }

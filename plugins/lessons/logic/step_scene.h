@@ -20,6 +20,6 @@ struct StepScene {
 };
 
 /// Measurements of the scan as they are handed in.
-[[nodiscard]] std::vector<HandedMeasurement> handedOf(const std::vector<sdk::ScanMeasurement>& measured);
+[[nodiscard]] std::vector<MeasurementSubmission> handedOf(const std::vector<sdk::ScanMeasurement>& measured);
 
 }  // namespace ew::lessons

@@ -25,11 +25,11 @@ std::string structureOf(const LessonTask& task) {
 AidsDrawer::AidsDrawer(sdk::Host& host, const LessonStep& step, StepScene scene)
     : host_(host), step_(step), scene_(std::move(scene)), overScan_(host.overlays().overScan()), overBody_(host.overlays().overBody()) {
   if (const auto* task = std::get_if<PlaneTask>(&step_.task))
-    for (const ExpectedPlane& plane : scene_.truth->planes)
+    for (const ReferencePlane& plane : scene_.truth->planes)
       if (plane.name == task->target) plane_ = plane;
-  for (const ExpectedStructure& structure : scene_.truth->structures)
+  for (const ReferenceStructure& structure : scene_.truth->structures)
     if (structure.name == structureOf(step_.task)) label_ = structure.label;
-  for (const ExpectedPoint& point : scene_.truth->points)
+  for (const ReferencePoint& point : scene_.truth->points)
     if (point.name == structureOf(step_.task)) point_ = point;
 }
 
@@ -44,7 +44,7 @@ void AidsDrawer::setAids(const LessonAids& aids) {
            allowed.compass && aids.compass};
   sdk::BodyAids inBody{aids_.translucentSkin, {}, aids_.volumeBox};
   if (aids_.organs)
-    for (const ExpectedStructure& structure : scene_.truth->structures) inBody.organs.push_back(structure.label);
+    for (const ReferenceStructure& structure : scene_.truth->structures) inBody.organs.push_back(structure.label);
   sdk::Ticket shown = host_.overlays().showInBody(inBody);
   inBody_ = std::move(shown);  // the one before goes only now, so that nothing flickers in between
   drawBody();

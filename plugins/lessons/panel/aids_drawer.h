@@ -33,8 +33,8 @@ class AidsDrawer {
   std::shared_ptr<sdk::BodyOverlay> overBody_;
   sdk::Ticket inBody_;
   std::vector<Point<frame::World>> path_;
-  std::optional<ExpectedPlane> plane_;
-  std::optional<ExpectedPoint> point_;
+  std::optional<ReferencePlane> plane_;
+  std::optional<ReferencePoint> point_;
   int label_ = 0;
   bool isElsewhere_ = false;
 };

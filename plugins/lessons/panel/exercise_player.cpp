@@ -166,7 +166,7 @@ void ExercisePlayer::next() {
       });
 }
 
-void ExercisePlayer::startAt(const PlannedExercise& planned, const std::optional<Hold>& start) {
+void ExercisePlayer::startAt(const NextExercise& planned, const std::optional<Hold>& start) {
   exercise_ = *std::find_if(exercises_.begin(), exercises_.end(), [&](const Exercise& e) { return e.id == planned.exerciseId; });
   level_ = planned.level;
   const auto give = [this](const Error& problem) {
@@ -233,11 +233,11 @@ void ExercisePlayer::keep(const StepOutcome& outcome, const RepetitionState& bef
   const int grade = gradeOf(outcome, outcome.hints);
   const auto when = thisMoment();
   auto kept = isKept_ ? keepTry(file_, exercise_.id, grade, when)
-                      : Result<KeptRepetition>(KeptRepetition{withTry(states_, exercise_.id, grade, when), {}});
+                      : Result<RepetitionRecord>(RepetitionRecord{withTry(states_, exercise_.id, grade, when), {}});
   if (!kept) {
     isKept_ = false;
     tell(kept.error());
-    kept = KeptRepetition{withTry(states_, exercise_.id, grade, when), {}};
+    kept = RepetitionRecord{withTry(states_, exercise_.id, grade, when), {}};
   }
   if (kept->note) host_.window().warn(words(*kept->note).toStdString(), "exercises");
   states_ = std::move(kept->states);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ew/assessment/kept_repetition.h"
+#include "ew/assessment/repetition_record.h"
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
 #include "ew/sdk/host.h"
@@ -48,7 +48,7 @@ class ExercisePlayer final : public QWidget {
   void plan();
   void next();
   void skip();
-  void startAt(const PlannedExercise& planned, const std::optional<Hold>& start);
+  void startAt(const NextExercise& planned, const std::optional<Hold>& start);
   void endExercise();
   void keep(const StepOutcome& outcome, const RepetitionState& before);
   void take(const ScanEvent& event);

@@ -7,7 +7,7 @@
 
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/scrolled_rows.h"
+#include "ew/widgets/scroll_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/step_kinds.h"
@@ -32,7 +32,7 @@ QString levelText(int level) {
 LessonList::LessonList(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  rows_ = new ScrolledRows(2 * kGrid_px);
+  rows_ = new ScrollRows(2 * kGrid_px);
   column->addWidget(rows_);
 }
 

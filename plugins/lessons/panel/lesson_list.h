@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/lesson.h"
 
 class QVBoxLayout;
 
 namespace ew {
-class ScrolledRows;
+class ScrollRows;
 }
 
 namespace ew::lessons {
@@ -34,7 +34,7 @@ class LessonList final : public QWidget {
  private:
   void addSteps(const Lesson& lesson, QVBoxLayout& rows);
 
-  ScrolledRows* rows_ = nullptr;
+  ScrollRows* rows_ = nullptr;
 };
 
 }  // namespace ew::lessons

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "ew/imaging/orientation_marker.h"
-#include "ew/library/learning.h"
-#include "ew/scanning/picture_file.h"
+#include "ew/library/learning_progress.h"
+#include "ew/scanning/display_image_file.h"
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/window.h"
 #include "ew/widgets/labels.h"
@@ -185,9 +185,9 @@ void LessonPlayer::startStep(std::shared_ptr<const CaseTruth> truth) {
     if (!read) return fail(read.error());
     recording = std::move(*read);
   }
-  std::filesystem::path picture;
-  if (const auto* read = std::get_if<ReadTask>(&step.task); read != nullptr && !read->picture.empty())
-    picture = partFolder(homeFolder_) / read->picture;
+  std::filesystem::path image;
+  if (const auto* read = std::get_if<ReadingTask>(&step.task); read != nullptr && !read->image.empty())
+    image = partFolder(homeFolder_) / read->image;
   if (auto frozen = host_.scan().setFrozen(false); !frozen) return fail(frozen.error());
   truth_ = std::move(truth);
   const StepScene scene = sceneOf(*scanned);
@@ -197,7 +197,7 @@ void LessonPlayer::startStep(std::shared_ptr<const CaseTruth> truth) {
   takeUpLeft();
   Lesson one;
   one.steps = {step};
-  step_->showStep(*run_, translated(one, words_).steps.front(), scene, std::move(recording), picture);
+  step_->showStep(*run_, translated(one, words_).steps.front(), scene, std::move(recording), image);
   // A probe that rests makes no image by itself: what is shown already counts.
   if (const auto state = host_.scan().state(); state && !isImageComing)
     take({state->time_s, FrameMade{state->pose, state->gaps_mm, state->number, state->body}});
@@ -210,7 +210,7 @@ void LessonPlayer::takeUpLeft() {
   const double now_s = host_.scan().now_s();
   const auto left = std::exchange(left_, std::nullopt);
   if (left && left->stepId == run_->step().id && left->log.frameCount() > 0) {
-    run_->takeUp(left->log, left->used_s, left->hints, now_s);
+    run_->resume(left->log, left->used_s, left->hints, now_s);
     // The machine and the probe stand as they stood: what is not there any more (another probe) stays as it is.
     const ScanState last = left->log.frame(left->log.frameCount() - 1);
     for (const Result<void>& done :
@@ -274,21 +274,21 @@ void LessonPlayer::tick() {
   if (run_ && run_->isRunning()) run_->pause(now_s);
 }
 
-std::vector<std::string> LessonPlayer::keepPicture(const KeptAttempt& attempt) const {
+std::vector<std::string> LessonPlayer::keepImage(const AttemptFolder& attempt) const {
   const auto state = host_.scan().state();
-  const Picture picture = host_.scan().picture();
-  if (!state || picture.isEmpty()) return {};
+  const DisplayImage image = host_.scan().image();
+  if (!state || image.isEmpty()) return {};
   const std::string name = attempt.nameForFile(run_->step().id, ".png");
   const DisplayGeometry geometry = host_.scan().geometry();
   RgbImage colours;
   GreyImage grey;
-  if (picture.hasColour())
-    burnMarker(viewOf(colours = composed(picture)), state->probe, geometry);
+  if (image.hasColour())
+    burnMarker(viewOf(colours = composed(image)), state->probe, geometry);
   else
-    burnMarker(viewOf(grey = copyOf(picture.grey)), state->probe, geometry);
+    burnMarker(viewOf(grey = copyOf(image.grey)), state->probe, geometry);
   const auto file = attempt.folder() / name;
-  const auto written = picture.hasColour() ? writePicture(colours, geometry.pixel_mm, file)
-                                           : writePicture(Picture{viewOf(std::as_const(grey))}, geometry.pixel_mm, file);
+  const auto written = image.hasColour() ? writeDisplayImage(colours, geometry.pixel_mm, file)
+                                         : writeDisplayImage(DisplayImage{viewOf(std::as_const(grey))}, geometry.pixel_mm, file);
   if (!written) return {};  // the outcome is worth keeping without
   return {name};
 }
@@ -296,7 +296,7 @@ std::vector<std::string> LessonPlayer::keepPicture(const KeptAttempt& attempt) c
 void LessonPlayer::endStep() {
   if (!run_ || !run_->isRunning()) return;
   const auto outcome =
-      run_->endStep(step_->handed(), host_.scan().now_s(), [this](const KeptAttempt& attempt) { return keepPicture(attempt); });
+      run_->endStep(step_->handed(), host_.scan().now_s(), [this](const AttemptFolder& attempt) { return keepImage(attempt); });
   if (!outcome) return fail(outcome.error());
   timer_.stop();
   kept_.endStep(*run_);
@@ -307,7 +307,7 @@ void LessonPlayer::endStep() {
     target_ = std::make_unique<TargetShown>(host_, ended, sceneOf(*scanned), step_->point());
   step_->end();
   // Nothing was judged, and nothing is said afterwards: there is nothing to show.
-  const bool isShown = std::holds_alternative<ReadTask>(ended.task) || std::holds_alternative<WatchTask>(ended.task);
+  const bool isShown = std::holds_alternative<ReadingTask>(ended.task) || std::holds_alternative<WatchTask>(ended.task);
   if (isShown && ended.after.empty()) return nextStep();
   Lesson one;
   one.steps = {ended};

@@ -68,7 +68,7 @@ class LessonPlayer final : public QWidget {
   void giveSettingsBack();
   [[nodiscard]] StepScene sceneOf(const sdk::Scanned& scanned) const;
   [[nodiscard]] std::optional<Case> openCase() const;
-  [[nodiscard]] std::vector<std::string> keepPicture(const KeptAttempt& attempt) const;
+  [[nodiscard]] std::vector<std::string> keepImage(const AttemptFolder& attempt) const;
 
   sdk::Host& host_;
   std::string homeCase_;  ///< id of the case whose lesson runs

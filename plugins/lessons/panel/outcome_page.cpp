@@ -8,7 +8,7 @@
 
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/scrolled_rows.h"
+#include "ew/widgets/scroll_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "logic/lesson_run.h"
@@ -32,7 +32,7 @@ OutcomePage::OutcomePage(QWidget* parent) : QWidget(parent) {
   toSystem_->setWordWrap(true);
   toSystem_->hide();
   column->addWidget(toSystem_);
-  remarks_ = new ScrolledRows;
+  remarks_ = new ScrollRows;
   column->addWidget(remarks_, 1);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(kGrid_px);
@@ -82,7 +82,7 @@ void OutcomePage::showStep(const LessonStep& step, const StepOutcome& outcome, b
   remarks_->clear();
   toSystem_->hide();
   const bool passed = outcome.verdict == StepVerdict::passed, handedIn = outcome.verdict == StepVerdict::handedIn;
-  const bool isReading = std::holds_alternative<ReadTask>(step.task);
+  const bool isReading = std::holds_alternative<ReadingTask>(step.task);
   heading_->setText(handedIn                                  ? tr("Handed in: %1").arg(words(step.title))
                     : passed && isReading                     ? words(step.title)  // who reads passes nothing
                     : passed                                  ? tr("Passed: %1").arg(words(step.title))

@@ -11,7 +11,7 @@ class QLabel;
 class QPushButton;
 
 namespace ew {
-class ScrolledRows;
+class ScrollRows;
 }
 
 namespace ew::lessons {
@@ -44,7 +44,7 @@ class OutcomePage final : public QWidget {
   QLabel* heading_ = nullptr;
   QLabel* figure_ = nullptr;
   QLabel* toSystem_ = nullptr;  ///< what a learning system is told instead
-  ScrolledRows* remarks_ = nullptr;
+  ScrollRows* remarks_ = nullptr;
   QPushButton* again_ = nullptr;
   QPushButton* next_ = nullptr;
   ClickGuard guard_;

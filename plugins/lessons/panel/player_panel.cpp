@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 
 #include "ew/assessment/attempt_result.h"
-#include "ew/assessment/kept_repetition.h"
-#include "ew/library/learning.h"
+#include "ew/assessment/repetition_record.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/lesson_links.h"
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/person.h"
@@ -128,7 +128,7 @@ void PlayerPanel::showLessons() {
   if (!case_ || (lessons_.empty() && !ExerciseCard::couldAsk(*case_))) return pages_->setCurrentIndex(kEmpty);
   AttemptList attempts = listAttempts(ownAttempts());
   std::erase_if(attempts.attempts, [this](const auto& each) { return each.second.caseId != case_->id; });
-  const Standings standings(attempts, sdk::personWhoLearns(), judge());
+  const LearningProgress standings(attempts, sdk::personWhoLearns(), judge());
   words_ = wordsOf(case_->folder, QLocale().name().toStdString());
   std::vector<LessonStanding> stands;
   std::vector<Lesson> shown;
@@ -170,10 +170,10 @@ void PlayerPanel::goOn(const std::string& lessonId, Asked asked) {
   const Lesson* lesson = lessonOf(lessonId);
   if (lesson == nullptr || !case_) return;
   const AttemptList attempts = listAttempts(ownAttempts());
-  const auto interrupted = Standings(attempts, sdk::personWhoLearns()).of(case_->id, *lesson).interrupted;
+  const auto interrupted = LearningProgress(attempts, sdk::personWhoLearns()).of(case_->id, *lesson).interrupted;
   auto left = asked != Asked::byList ? leftOf(lessonId, attempts) : interrupted ? player_->kept().takeLeft(*interrupted) : std::nullopt;
   if (!left && !interrupted) return begin(lessonId);
-  auto kept = KeptAttempt::open(left ? left->attempt : *interrupted);
+  auto kept = AttemptFolder::open(left ? left->attempt : *interrupted);
   if (!kept) return fail(kept.error());
   const std::string launch = launchOfEnvironment();
   const bool isUntold = !launch.empty() && kept->attempt().launch != launch;

@@ -8,7 +8,7 @@
 
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/sdk/host.h"
 #include "logic/lesson_run.h"
 #include "logic/step_autosave.h"

@@ -20,7 +20,7 @@ struct KindWords {
 };
 constexpr std::array<KindWords, std::variant_size_v<LessonTask>> kKindWords = {{
     {"read", QT_TRANSLATE_NOOP("ew::lessons::StepKinds", "Read"),
-     QT_TRANSLATE_NOOP("ew::lessons::StepKinds", "A text to read, perhaps with a picture")},
+     QT_TRANSLATE_NOOP("ew::lessons::StepKinds", "A text to read, perhaps with an image")},
     {"watch", QT_TRANSLATE_NOOP("ew::lessons::StepKinds", "Watch the expert"),
      QT_TRANSLATE_NOOP("ew::lessons::StepKinds", "Your own scan is played and rests at its marks")},
     {"plane", QT_TRANSLATE_NOOP("ew::lessons::StepKinds", "Set a plane"),

@@ -9,7 +9,7 @@
 
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/scrolled_rows.h"
+#include "ew/widgets/scroll_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 
@@ -47,7 +47,7 @@ StepPage::StepPage(sdk::Host& host, QWidget* parent) : QWidget(parent), host_(ho
   bar_->setTextVisible(false);
   bar_->setFixedHeight(kGrid_px / 2);
   column->addWidget(bar_);
-  scrolled_ = new ScrolledRows;
+  scrolled_ = new ScrollRows;
   rows_ = scrolled_->rows();
   column->addWidget(scrolled_, 1);
   missing_ = quietLabel({});
@@ -114,7 +114,7 @@ QLabel* StepPage::addText(const QString& text, const char* name, bool quiet) {
 }
 
 void StepPage::showStep(LessonRun& run, const LessonStep& shown, const StepScene& scene, std::optional<ScanRecording> recording,
-                        const std::filesystem::path& picture) {
+                        const std::filesystem::path& image) {
   end();
   clear();
   run_ = &run;
@@ -129,7 +129,7 @@ void StepPage::showStep(LessonRun& run, const LessonStep& shown, const StepScene
     pause_->setText(tr("Pause"));
   }
   // What is read is not worked on: one click leads on, and nothing runs that could rest.
-  const bool isRead = std::holds_alternative<ReadTask>(shown.task);
+  const bool isRead = std::holds_alternative<ReadingTask>(shown.task);
   done_->setText(isRead ? tr("Go on") : tr("Done"));
   pause_->setVisible(!isRead || shown.time_s.has_value());
   auto* title = headingLabel(words(shown.title));
@@ -137,7 +137,7 @@ void StepPage::showStep(LessonRun& run, const LessonStep& shown, const StepScene
   title->setWordWrap(true);
   rows_->addWidget(title);
   if (!shown.text.empty()) addText(words(shown.text), "stepText");
-  if (!picture.empty()) addPicture(picture);
+  if (!image.empty()) addImage(image);
   if (!shown.lookFor.empty()) addText(tr("Look for: %1").arg(words(shown.lookFor)), "stepLookFor", true);
   if (const auto* answer = std::get_if<AnswerTask>(&shown.task)) addAnswer(*answer);
   if (std::holds_alternative<PointTask>(shown.task)) addPointing();

@@ -22,7 +22,7 @@ class QPushButton;
 class QVBoxLayout;
 
 namespace ew {
-class ScrolledRows;
+class ScrollRows;
 }
 
 namespace ew::lessons {
@@ -38,7 +38,7 @@ class StepPage final : public QWidget {
 
   /// Shows the step the run stands at, which runs. @param recording of a step that is watched
   void showStep(LessonRun& run, const LessonStep& shown, const StepScene& scene, std::optional<ScanRecording> recording,
-                const std::filesystem::path& picture);
+                const std::filesystem::path& image);
   /// What stands above the step in place of its number in the lesson.
   void setHead(const QString& text, int value, int most);
   /// Where was pointed, as it stands in the image; null: nowhere.
@@ -66,7 +66,7 @@ class StepPage final : public QWidget {
   void addAnswer(const AnswerTask& task);
   void addPointing();
   void addExpert(const WatchTask& task, ScanRecording recording);
-  void addPicture(const std::filesystem::path& file);
+  void addImage(const std::filesystem::path& file);
   void showExpert();
   void showPoint();
 
@@ -96,7 +96,7 @@ class StepPage final : public QWidget {
 
   QLabel* head_ = nullptr;
   QProgressBar* bar_ = nullptr;
-  ScrolledRows* scrolled_ = nullptr;
+  ScrollRows* scrolled_ = nullptr;
   QVBoxLayout* rows_ = nullptr;
   QLabel* time_ = nullptr;
   QLabel* live_ = nullptr;

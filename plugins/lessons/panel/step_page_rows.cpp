@@ -134,16 +134,16 @@ void StepPage::showExpert() {
                                        : tr("Play"));
 }
 
-void StepPage::addPicture(const std::filesystem::path& file) {
-  const QPixmap picture(words(file.string()));
-  if (picture.isNull()) {
-    addText(tr("The picture '%1' cannot be shown.").arg(words(file.filename().string())), "stepPicture", true);
+void StepPage::addImage(const std::filesystem::path& file) {
+  const QPixmap image(words(file.string()));
+  if (image.isNull()) {
+    addText(tr("The image '%1' cannot be shown.").arg(words(file.filename().string())), "stepPicture", true);
     return;
   }
   auto* label = new QLabel;
   label->setObjectName(QStringLiteral("stepPicture"));
   const int width = std::max(200, this->width() - 5 * kGrid_px);
-  label->setPixmap(picture.width() > width ? picture.scaledToWidth(width, Qt::SmoothTransformation) : picture);
+  label->setPixmap(image.width() > width ? image.scaledToWidth(width, Qt::SmoothTransformation) : image);
   rows_->addWidget(label);
 }
 
@@ -154,7 +154,7 @@ void StepPage::makeCompass(const LessonStep& step, const StepScene& scene) {
   const auto* task = std::get_if<PlaneTask>(&step.task);
   const auto state = host_.scan().state();
   if (task == nullptr || !step.aids.compass || !scene.scanned.skin || !state) return;
-  for (const ExpectedPlane& plane : scene.truth->planes) {
+  for (const ReferencePlane& plane : scene.truth->planes) {
     if (plane.name != task->target) continue;
     PlaneTolerance tolerance = toleranceOf(plane);
     tolerance.position_mm = task->positionTolerance_mm.value_or(tolerance.position_mm);

@@ -8,14 +8,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isOnlySeen(const ClassStep& step) { return step.kind == taskWord(ReadTask{}) || step.kind == taskWord(WatchTask{}); }
+bool isOnlySeen(const ClassStep& step) { return step.kind == taskWord(ReadingTask{}) || step.kind == taskWord(WatchTask{}); }
 
 }  // namespace
 
-RatersWord ratersWordOf(const KeptRatings& ratings) {
+RatersWord ratersWordOf(const RatingRecords& ratings) {
   std::set<std::string> forms;
   std::map<std::string, std::set<std::string>> finished;  // by rater
-  for (const KeptRating& each : ratings.ratings) {
+  for (const RatingRecord& each : ratings.ratings) {
     if (!each.rating.finished) continue;
     forms.insert(each.rating.formId);
     finished[each.rating.rater].insert(each.rating.formId);
@@ -55,7 +55,7 @@ AttemptResult resultOf(const LessonAttempts& lesson, std::size_t number, const A
   const auto kept = records.scores.find(folder);
   // As it was when it was tried: reports and records ask for that, too.
   const bool isAsTried = tried.lessonContent.empty() || tried.lessonContent == contentOf(lesson.lesson);
-  const TriedLesson* before = isAsTried ? nullptr : results.lessonOf(tried);
+  const AttemptLesson* before = isAsTried ? nullptr : results.lessonOf(tried);
   return attemptResultOf(tried, before != nullptr ? &before->lesson : &lesson.lesson, plan,
                          kept == records.scores.end() ? std::nullopt : std::optional(kept->second));
 }

@@ -20,7 +20,7 @@ struct RatersWord {
   /// Who has finished a rating with every form that was used: others are not told yet, or they would rate by it (ratingsVisibleTo).
   std::set<std::string> openTo = {};
 };
-[[nodiscard]] RatersWord ratersWordOf(const KeptRatings& ratings);
+[[nodiscard]] RatersWord ratersWordOf(const RatingRecords& ratings);
 
 /// What was said and worked out of the attempts of a shelf.
 struct ClassRecords {

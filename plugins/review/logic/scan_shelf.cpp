@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/lesson_links.h"
 
 namespace ew::review {

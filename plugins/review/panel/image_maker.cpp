@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ew/scanning/replay.h"
-#include "ew/widgets/picture_image.h"
+#include "ew/widgets/qt_image.h"
 
 namespace ew::review {
 ImageMaker::ImageMaker(QObject* parent) : QObject(parent), thread_([this] { run(); }) {}

@@ -12,7 +12,7 @@
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/scrolled_rows.h"
+#include "ew/widgets/scroll_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/session/review_session.h"
@@ -46,7 +46,7 @@ RatingPage::RatingPage(ReviewSession& session, QWidget* parent)
   setObjectName(QStringLiteral("reviewRating"));
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new ScrolledRows(2 * kGrid_px);
+  auto* scroll = new ScrollRows(2 * kGrid_px);
   auto* rows = scroll->rows();
   form_ = combo("ratingForm", tr("Rating form"));
   if (const auto resources = resourceFolder()) forms_ = listRatingForms(*resources, libraryFolder());
@@ -217,8 +217,8 @@ void RatingPage::readRating() {
   for (auto& [id, remark] : remarks_) remark->clear();
   remark_->clear();
   kept_->clear();
-  const KeptRatings seen = ratingsVisibleTo(reviewer_.name().toStdString(), attempt_);
-  for (const KeptRating& each : seen.ratings) {
+  const RatingRecords seen = ratingsVisibleTo(reviewer_.name().toStdString(), attempt_);
+  for (const RatingRecord& each : seen.ratings) {
     if (each.rating.rater != reviewer_.name().toStdString() || each.rating.formId != madeFor_) continue;
     for (auto& [id, score] : scores_) {
       const ItemRating* item = each.rating.itemOf(id);
@@ -237,9 +237,9 @@ void RatingPage::readRating() {
 }
 
 void RatingPage::showOthers() {
-  const KeptRatings seen = ratingsVisibleTo(reviewer_.name().toStdString(), attempt_);
+  const RatingRecords seen = ratingsVisibleTo(reviewer_.name().toStdString(), attempt_);
   QStringList lines;
-  for (const KeptRating& each : seen.ratings) {
+  for (const RatingRecord& each : seen.ratings) {
     if (each.rating.rater == reviewer_.name().toStdString() || !each.rating.finished) continue;
     const auto total = totalOf(*each.form, each.rating);
     lines << tr("%1, %2: %3", "rater, form: total")

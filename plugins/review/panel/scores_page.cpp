@@ -17,7 +17,7 @@
 #include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/scrolled_rows.h"
+#include "ew/widgets/scroll_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/report_button.h"
@@ -65,7 +65,7 @@ ScoresPage::ScoresPage(ReviewSession& session, QWidget* parent)
     if (auto read = MetricDefaults::read(*resources)) defaults_ = std::move(*read);
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new ScrolledRows(2 * kGrid_px);
+  auto* scroll = new ScrollRows(2 * kGrid_px);
   auto* rows = scroll->rows();
   verdict_ = headingLabel({});
   verdict_->setObjectName(QStringLiteral("reviewVerdict"));

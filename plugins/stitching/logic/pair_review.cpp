@@ -19,7 +19,7 @@ PairMark markOf(const PairOutcome& outcome) {
 
 }  // namespace
 
-PairReview reviewOf(const PairOutcome* outcome, const WarpedPair* warp, const ProjectPair& said, bool isStale) {
+PairReview reviewOf(const PairOutcome* outcome, const PairDeformation* warp, const ProjectPair& said, bool isStale) {
   PairReview review;
   if (outcome != nullptr) review.mark = markOf(*outcome);
   if (isStale && said.method == PairMethod::byHand) review.mark = PairMark::byHand;  // moved away from what was proved

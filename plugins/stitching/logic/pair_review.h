@@ -20,6 +20,6 @@ struct PairReview {
 /// @param warp    of the last run; null: the pair was not deformed
 /// @param said    what the project says of the pair now
 /// @param isStale whether the project or the places were edited since the run
-[[nodiscard]] PairReview reviewOf(const PairOutcome* outcome, const WarpedPair* warp, const ProjectPair& said, bool isStale);
+[[nodiscard]] PairReview reviewOf(const PairOutcome* outcome, const PairDeformation* warp, const ProjectPair& said, bool isStale);
 
 }  // namespace ew::stitching

@@ -20,7 +20,7 @@ glm::dmat4 turnAbout(const glm::dvec3& rotation_deg, const glm::dvec3& pivot) {
 
 std::uint8_t level(double value) { return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0l, 255l)); }
 
-/// What a volume shows along rows of points of the plane's frame: the rows of a picture.
+/// What a volume shows along rows of points of the plane's frame: the rows of an image.
 class Rows {
  public:
   Rows(const Volume& volume, const Mapping& mapping)
@@ -89,7 +89,7 @@ Plane turned(const Plane& plane, const glm::dvec3& about_mm, const glm::dvec3& r
     const glm::dvec3 about = axis == 0 ? result.right : axis == 1 ? result.down : result.normal();
     result = moved(result, Transform<frame::View, frame::View>{turnAbout(rotation_deg[axis] * about, about_mm)});
   }
-  // Hundreds of small turns must not shear the picture.
+  // Hundreds of small turns must not shear the image.
   result.right = glm::normalize(result.right);
   result.down = glm::normalize(result.down - glm::dot(result.down, result.right) * result.right);
   return result;
@@ -101,28 +101,28 @@ glm::dvec3 Mapping::operator()(const glm::dvec3& p_mm) const {
   return carried(toGrid, p);
 }
 
-GreyPicture sliced(const Volume& volume, const Plane& plane, const glm::ivec2& size, const Mapping& mapping) {
-  GreyPicture picture{size, {}, {}};
+GreySlice sliced(const Volume& volume, const Plane& plane, const glm::ivec2& size, const Mapping& mapping) {
+  GreySlice image{size, {}, {}};
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  picture.grey.assign(count, 0);
-  picture.seen.assign(count, 0);
+  image.grey.assign(count, 0);
+  image.seen.assign(count, 0);
   Rows rows(volume, mapping);
   for (int y = 0; y < size.y; ++y) {
     std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x);
     for (const float seen : rows.at(pointAt(plane, size, {0.0, y}), plane.pixel_mm * plane.right, size.x)) {
       if (seen >= 0.0F) {
-        picture.grey[at] = static_cast<std::uint8_t>(seen + 0.5F);
-        picture.seen[at] = 1;
+        image.grey[at] = static_cast<std::uint8_t>(seen + 0.5F);
+        image.seen[at] = 1;
       }
       ++at;
     }
   }
-  return picture;
+  return image;
 }
 
-ColourPicture overlaid(const GreyPicture& fixed, const GreyPicture& moving, const OverlayOptions& options) {
-  ColourPicture picture{fixed.size, {}};
-  picture.rgb.resize(fixed.grey.size());
+ColourSlice overlaid(const GreySlice& fixed, const GreySlice& moving, const OverlayOptions& options) {
+  ColourSlice image{fixed.size, {}};
+  image.rgb.resize(fixed.grey.size());
   const int square = std::max(1, options.square_px);
   for (int y = 0; y < fixed.size.y; ++y) {
     for (int x = 0; x < fixed.size.x; ++x) {
@@ -141,10 +141,10 @@ ColourPicture overlaid(const GreyPicture& fixed, const GreyPicture& moving, cons
       } else {
         colour = {b, a, b};
       }
-      for (std::size_t c = 0; c < 3; ++c) picture.rgb[at][c] = static_cast<std::uint8_t>(std::clamp(colour[c], 0, 255));
+      for (std::size_t c = 0; c < 3; ++c) image.rgb[at][c] = static_cast<std::uint8_t>(std::clamp(colour[c], 0, 255));
     }
   }
-  return picture;
+  return image;
 }
 
 std::array<std::uint8_t, 3> colourOfLength(double length_mm, double longest_mm) {
@@ -191,16 +191,16 @@ std::array<std::uint8_t, 3> colourOfView(std::size_t view) {
   return colours[view % colours.size()];
 }
 
-ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views, const Plane& plane, const glm::ivec2& size,
-                          const Transform<frame::World, frame::Fixed>& planeToWorld) {
-  ColourPicture picture{size, {}};
-  picture.rgb.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), {0, 0, 0});
-  if (seams.view.empty()) return picture;
+ColourSlice seamImage(const SeamMap& seams, std::span<const WorldView> views, const Plane& plane, const glm::ivec2& size,
+                      const Transform<frame::World, frame::Fixed>& planeToWorld) {
+  ColourSlice image{size, {}};
+  image.rgb.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), {0, 0, 0});
+  if (seams.view.empty()) return image;
   const auto indexOf = [&](int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
   };
   const auto toCell = seams.cells.worldToVoxel() * planeToWorld;
-  std::vector<int> owner(picture.rgb.size(), -1);
+  std::vector<int> owner(image.rgb.size(), -1);
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
       const glm::ivec3 cell = glm::ivec3(glm::round(carried(toCell, pointAt(plane, size, {x, y}))));
@@ -211,7 +211,7 @@ ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views,
   }
   static const Volume nothing;
   std::vector<Rows> rows;
-  for (const SeenView& view : views) rows.emplace_back(view.volume != nullptr ? *view.volume : nothing, view.fromPlane);
+  for (const WorldView& view : views) rows.emplace_back(view.volume != nullptr ? *view.volume : nothing, view.fromPlane);
   for (int y = 0; y < size.y; ++y) {
     for (int begin = 0, end = 0; begin < size.x; begin = end) {
       const int view = owner[indexOf(begin, y)];
@@ -222,7 +222,7 @@ ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views,
       for (const float seen :
            rows[static_cast<std::size_t>(view)].at(pointAt(plane, size, {begin, y}), plane.pixel_mm * plane.right, end - begin)) {
         const double grey = std::max(0.0F, seen);
-        for (std::size_t c = 0; c < 3; ++c) picture.rgb[at][c] = level(0.62 * grey + 0.22 * tint[c] * (0.35 + 0.65 * grey / 255.0));
+        for (std::size_t c = 0; c < 3; ++c) image.rgb[at][c] = level(0.62 * grey + 0.22 * tint[c] * (0.35 + 0.65 * grey / 255.0));
         ++at;
       }
     }
@@ -231,10 +231,10 @@ ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views,
     for (int x = 0; x + 1 < size.x; ++x) {
       const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
       const auto differs = [&](std::size_t other) { return owner[at] >= 0 && owner[other] >= 0 && owner[at] != owner[other]; };
-      if (differs(at + 1) || differs(at + static_cast<std::size_t>(size.x))) picture.rgb[at] = {235, 240, 242};
+      if (differs(at + 1) || differs(at + static_cast<std::size_t>(size.x))) image.rgb[at] = {235, 240, 242};
     }
   }
-  return picture;
+  return image;
 }
 
 template <class Frame>

@@ -50,21 +50,21 @@ struct Mapping {
   [[nodiscard]] Transform<frame::View, frame::Fixed> withoutWarp() const { return toGrid * toWarp; }
 };
 
-struct GreyPicture {
+struct GreySlice {
   glm::ivec2 size{0};
   std::vector<std::uint8_t> grey;  ///< row by row, 0 where nothing was seen
   std::vector<std::uint8_t> seen;  ///< 1 where the volume covers the pixel
-  bool operator==(const GreyPicture&) const = default;
+  bool operator==(const GreySlice&) const = default;
 };
-struct ColourPicture {
+struct ColourSlice {
   glm::ivec2 size{0};
   std::vector<std::array<std::uint8_t, 3>> rgb;  ///< row by row
-  bool operator==(const ColourPicture&) const = default;
+  bool operator==(const ColourSlice&) const = default;
 };
 
 /// The volume in the plane, by levelsAt of imaging: nothing outside the grid and where the nearest voxel is absent. Constants and ramps
 /// are exact; voxel centres give their voxels.
-[[nodiscard]] GreyPicture sliced(const Volume& volume, const Plane& plane, const glm::ivec2& size, const Mapping& mapping);
+[[nodiscard]] GreySlice sliced(const Volume& volume, const Plane& plane, const glm::ivec2& size, const Mapping& mapping);
 
 enum class Overlay {
   checkerboard,  ///< fixed and moving in turn, in squares
@@ -77,9 +77,9 @@ struct OverlayOptions {
   int square_px = 48;   ///< of the checkerboard
   bool second = false;  ///< of the flicker: show the moving one
 };
-/// Two pictures of one size over each other. Where only one of them sees anything, it is shown alone at half its brightness (flicker: as it
+/// Two images of one size over each other. Where only one of them sees anything, it is shown alone at half its brightness (flicker: as it
 /// is, because there the eye compares); where neither does, black.
-[[nodiscard]] ColourPicture overlaid(const GreyPicture& fixed, const GreyPicture& moving, const OverlayOptions& options);
+[[nodiscard]] ColourSlice overlaid(const GreySlice& fixed, const GreySlice& moving, const OverlayOptions& options);
 
 /// A colour for a length from 0 to `longest_mm`: dark blue, teal, yellow; its brightness rises all the way, so it reads without colour too.
 [[nodiscard]] std::array<std::uint8_t, 3> colourOfLength(double length_mm, double longest_mm);
@@ -89,14 +89,14 @@ struct OverlayOptions {
 [[nodiscard]] std::vector<std::vector<glm::dvec2>> deformedLattice(const Plane& plane, const glm::ivec2& size, double spacing_mm,
                                                                    const std::function<glm::dvec3(const glm::dvec3&)>& displaced);
 
-/// A view in the world, for pictures of the whole.
-struct SeenView {
+/// A view in the world, for images of the whole.
+struct WorldView {
   const Volume* volume = nullptr;  ///< null: not read yet, shows nothing
   Mapping fromPlane;
 };
 /// Each pixel from the view that the seam map gives it, tinted with that view's colour, borders between views drawn bright.
-[[nodiscard]] ColourPicture seamPicture(const SeamMap& seams, std::span<const SeenView> views, const Plane& plane, const glm::ivec2& size,
-                                        const Transform<frame::World, frame::Fixed>& planeToWorld);
+[[nodiscard]] ColourSlice seamImage(const SeamMap& seams, std::span<const WorldView> views, const Plane& plane, const glm::ivec2& size,
+                                    const Transform<frame::World, frame::Fixed>& planeToWorld);
 /// Index of the view at a world point, or -1.
 [[nodiscard]] int viewAt(const SeamMap& seams, const glm::dvec3& p_world_mm);
 /// The colour in which a view is shown, everywhere the same; eight of them, then from the beginning.

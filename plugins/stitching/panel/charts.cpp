@@ -131,19 +131,19 @@ CostChart::CostChart(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(112);
 }
 
-void CostChart::show(const std::array<ExpectedCost, 3>& costs, ElasticEffort inUse, std::optional<double> measured_s) {
+void CostChart::show(const std::array<CostEstimate, 3>& costs, ElasticEffort inUse, std::optional<double> measured_s) {
   costs_ = costs;
   inUse_ = inUse;
   measured_s_ = measured_s;
   std::vector<double> times_s{0.0, measured_s.value_or(0.0)}, errors_mm{0.0};
-  for (const ExpectedCost& cost : costs) {
+  for (const CostEstimate& cost : costs) {
     times_s.push_back(cost.seconds);
     errors_mm.push_back(cost.error_mm);
   }
   time_s_ = linearAxis(times_s, kFewSteps);
   error_mm_ = linearAxis(errors_mm, kFewSteps);
   QStringList lines;
-  for (const ExpectedCost& cost : costs)
+  for (const CostEstimate& cost : costs)
     lines << tr("%1: %2 mm in %3").arg(nameOfEffort(cost.effort), figure(cost.error_mm, 2), inSeconds(cost.seconds));
   setAccessibleDescription(lines.join(QStringLiteral("; ")));
   update();
@@ -163,7 +163,7 @@ QPointF CostChart::at(double seconds, double error_mm) const {
 
 QPointF CostChart::pointOfEffort(int effort) const {
   if (!costs_ || effort < 0 || effort > 2) return {-1, -1};
-  const ExpectedCost& cost = (*costs_)[static_cast<std::size_t>(effort)];
+  const CostEstimate& cost = (*costs_)[static_cast<std::size_t>(effort)];
   return at(cost.seconds, cost.error_mm);
 }
 
@@ -204,7 +204,7 @@ void CostChart::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(quiet, 1.5));
   painter.drawPolyline(curve);
   const QColor accent = palette().color(QPalette::Highlight);
-  for (const ExpectedCost& cost : *costs_) {
+  for (const CostEstimate& cost : *costs_) {
     const QPointF point = at(cost.seconds, cost.error_mm);
     const bool used = cost.effort == inUse_;
     painter.setPen(Qt::NoPen);
@@ -233,7 +233,7 @@ bool CostChart::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const int effort = under(help->pos());
     if (effort >= 0) {
-      const ExpectedCost& cost = (*costs_)[static_cast<std::size_t>(effort)];
+      const CostEstimate& cost = (*costs_)[static_cast<std::size_t>(effort)];
       QToolTip::showText(help->globalPos(), tr("%1: %2 mm on average, 95 % below %3 mm, in %4. Click to deform this pair so.")
                                                 .arg(nameOfEffort(cost.effort), figure(cost.error_mm, 2), figure(cost.error95_mm, 2),
                                                      inSeconds(cost.seconds)));

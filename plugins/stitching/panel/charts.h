@@ -9,7 +9,7 @@
 #include "ew/core/chart_axis.h"
 #include "ew/registration/elastic.h"
 #include "ew/registration/rigid.h"
-#include "ew/stitching/expected_cost.h"
+#include "ew/stitching/cost_estimate.h"
 
 namespace ew::stitching {
 
@@ -56,7 +56,7 @@ class CostChart final : public QWidget {
  public:
   explicit CostChart(QWidget* parent = nullptr);
   [[nodiscard]] QSize sizeHint() const override { return {240, 120}; }
-  void show(const std::array<ExpectedCost, 3>& costs, registration::ElasticEffort inUse, std::optional<double> measured_s);
+  void show(const std::array<CostEstimate, 3>& costs, registration::ElasticEffort inUse, std::optional<double> measured_s);
   void clear();
   Q_INVOKABLE QPointF pointOfEffort(int effort) const;
 
@@ -72,7 +72,7 @@ class CostChart final : public QWidget {
   [[nodiscard]] QRectF box() const;
   [[nodiscard]] QPointF at(double seconds, double error_mm) const;
   [[nodiscard]] int under(const QPointF& at) const;  ///< effort; -1: none
-  std::optional<std::array<ExpectedCost, 3>> costs_;
+  std::optional<std::array<CostEstimate, 3>> costs_;
   registration::ElasticEffort inUse_ = registration::ElasticEffort::balanced;
   std::optional<double> measured_s_;
   ChartAxis time_s_;

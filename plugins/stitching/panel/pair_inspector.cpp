@@ -409,7 +409,7 @@ void PairInspector::showCost() {
   const QString none = QStringLiteral("-");
   const auto [fixed, moving] = *look_.pair();
   const auto effort = effortOf(document_.project(), fixed, moving);
-  const WarpedPair* warped = results_.warpedOf(fixed, moving);
+  const PairDeformation* warped = results_.warpedOf(fixed, moving);
   const bool fresh = warped != nullptr && !results_.isWarpedStale(fixed, moving);
   warpAgain_->setVisible(warped != nullptr);
   warpAgain_->setEnabled(!fresh && !runs_.isRunning());
@@ -444,7 +444,7 @@ void PairInspector::showCost() {
   memory_->setText(memoryText(static_cast<double>(registration::forecastElastic_bytes(a->grid, b->grid, options))));
   const MachinePace pace = results_.warpPace();
   const auto costs = expectedWarps(a->grid, b->grid, pace);
-  const ExpectedCost& mine = costs[static_cast<std::size_t>(effort)];
+  const CostEstimate& mine = costs[static_cast<std::size_t>(effort)];
   // What one waits for; the chart below compares processor times, which do not depend on what else the machine does.
   expected_->setText(tr("%1 mm in %2").arg(figure(mine.error_mm, 2), inSeconds(pace.clock * mine.seconds)));
   const QString from =

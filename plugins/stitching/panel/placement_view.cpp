@@ -84,13 +84,13 @@ const std::vector<PlacementView::Sheet>& PlacementView::sheetsOf(std::size_t ind
     const double pixel_mm = std::max(extent[a], extent[b]) / kSheet_px;
     const glm::ivec2 size = glm::max(glm::ivec2(2), glm::ivec2(glm::round(glm::dvec2(extent[a], extent[b]) / pixel_mm)));
     const Plane plane{middle, grid.directions[a], grid.directions[b], pixel_mm};
-    const GreyPicture picture = sliced(*volume, plane, size, {});
+    const GreySlice slice = sliced(*volume, plane, size, {});
     QImage image(size.x, size.y, QImage::Format_ARGB32);
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
         const std::size_t at = static_cast<std::size_t>(y * size.x + x);
-        const int grey = picture.grey[at];
-        image.setPixel(x, y, picture.seen[at] != 0 ? qRgba(grey, grey, grey, 225) : qRgba(0, 0, 0, 0));
+        const int grey = slice.grey[at];
+        image.setPixel(x, y, slice.seen[at] != 0 ? qRgba(grey, grey, grey, 225) : qRgba(0, 0, 0, 0));
       }
     const glm::dvec3 along = pixel_mm * size.x * plane.right;
     const glm::dvec3 down = pixel_mm * size.y * plane.down;
@@ -127,7 +127,7 @@ void PlacementView::paintEvent(QPaintEvent*) {
   std::stable_sort(order.begin(), order.end(), [](const Seen& a, const Seen& b) { return a.depth > b.depth; });
   for (const Seen& seen : order) {
     const QPolygonF corners = outline(*seen.sheet, results_.toWorld(seen.volume));
-    // Seen from afar a rectangle is a parallelogram: an affine map takes the picture there.
+    // Seen from afar a rectangle is a parallelogram: an affine map takes the image there.
     const QPointF along = (corners[1] - corners[0]) / seen.sheet->image.width();
     const QPointF down = (corners[3] - corners[0]) / seen.sheet->image.height();
     if (std::abs(along.x() * down.y() - along.y() * down.x()) < 1e-4) continue;  // edge on

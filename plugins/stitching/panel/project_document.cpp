@@ -188,7 +188,7 @@ bool ProjectDocument::saveAs(const fs::path& file) {
 
 void ProjectDocument::reopenLeft() {
   if (left_.empty()) return;
-  const LeftWork left = left_.front();
+  const RecoverableWork left = left_.front();
   // What was found about it goes along; where that does not work it is only found again.
   std::error_code ignored;
   if (left.work.file.empty() && !fs::exists(untitledFolder(recovery_.number()), ignored))

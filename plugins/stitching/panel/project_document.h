@@ -66,7 +66,7 @@ class ProjectDocument final : public QObject {
   void leftChanged();                                                                               ///< one that was left is gone
 
  private:
-  struct LeftWork {
+  struct RecoverableWork {
     int place = 0;  ///< of recovery_
     StitchDocument::Left work;
   };
@@ -82,7 +82,7 @@ class ProjectDocument final : public QObject {
   std::filesystem::path folder_;
   RecoveryPlace recovery_;
   StitchDocument document_;
-  std::vector<LeftWork> left_;  ///< offered; whoever works on without deciding finds it offered at the next start
+  std::vector<RecoverableWork> left_;  ///< offered; whoever works on without deciding finds it offered at the next start
   QTimer keepSoon_;
   int number_ = 0;
 };

@@ -48,7 +48,7 @@ bool SessionDoor::isElasticFound() const { return session_.look().hasElastic(); 
 
 QString SessionDoor::effortOfWarp() const {
   const auto& shown = session_.look().pair();
-  const WarpedPair* pair = shown ? session_.results().warpedOf(shown->fixed, shown->moving) : nullptr;
+  const PairDeformation* pair = shown ? session_.results().warpedOf(shown->fixed, shown->moving) : nullptr;
   return pair != nullptr ? QString::fromLatin1(nameOf(pair->effort)) : QString();
 }
 

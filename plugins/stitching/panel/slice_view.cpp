@@ -19,7 +19,7 @@ constexpr double kLattice_mm = 10.0;
 const QColor kCross(0xd9, 0xb8, 0x4a);
 const QColor kBehindWords(0, 0, 0, 200);
 
-/// A word that is read on any picture: dark around, as pictures may be bright where it stands.
+/// A word that is read on any image: dark around, as images may be bright where it stands.
 void drawWord(QPainter& painter, const QRectF& box, int flags, const QString& word, const QColor& colour) {
   painter.setPen(kBehindWords);
   for (const QPointF& off : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1), QPointF(-1, -1), QPointF(1, 1)})
@@ -28,17 +28,17 @@ void drawWord(QPainter& painter, const QRectF& box, int flags, const QString& wo
   painter.drawText(box, flags, word);
 }
 
-QImage imageOf(const GreyPicture& picture) {
-  QImage image(picture.size.x, picture.size.y, QImage::Format_Grayscale8);
-  for (int y = 0; y < picture.size.y; ++y)
-    std::copy_n(picture.grey.data() + static_cast<std::ptrdiff_t>(y) * picture.size.x, picture.size.x, image.scanLine(y));
+QImage imageOf(const GreySlice& slice) {
+  QImage image(slice.size.x, slice.size.y, QImage::Format_Grayscale8);
+  for (int y = 0; y < slice.size.y; ++y)
+    std::copy_n(slice.grey.data() + static_cast<std::ptrdiff_t>(y) * slice.size.x, slice.size.x, image.scanLine(y));
   return image;
 }
 
-QImage imageOf(const ColourPicture& picture) {
-  QImage image(picture.size.x, picture.size.y, QImage::Format_RGB888);
-  for (int y = 0; y < picture.size.y; ++y)
-    std::copy_n(picture.rgb.data()->data() + static_cast<std::ptrdiff_t>(y) * picture.size.x * 3, 3 * picture.size.x, image.scanLine(y));
+QImage imageOf(const ColourSlice& slice) {
+  QImage image(slice.size.x, slice.size.y, QImage::Format_RGB888);
+  for (int y = 0; y < slice.size.y; ++y)
+    std::copy_n(slice.rgb.data()->data() + static_cast<std::ptrdiff_t>(y) * slice.size.x * 3, 3 * slice.size.x, image.scanLine(y));
   return image;
 }
 
@@ -85,7 +85,7 @@ QPointF SliceView::pixelAt(const glm::dvec3& p_mm) const {
   return {at.x + 0.5, at.y + 0.5};
 }
 
-QImage SliceView::pictureOfOverlap(const Plane& shown, const glm::ivec2& size, StitchLook::Stage stage) const {
+QImage SliceView::imageOfOverlap(const Plane& shown, const glm::ivec2& size, StitchLook::Stage stage) const {
   const auto fixed = inputs_.volume(look_.pair()->fixed);
   const auto moving = inputs_.volume(look_.pair()->moving);
   if (!fixed || !moving) return {};
@@ -94,7 +94,7 @@ QImage SliceView::pictureOfOverlap(const Plane& shown, const glm::ivec2& size, S
                           {tools_.overlay, square, tools_.flickerSecond}));
 }
 
-QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
+QImage SliceView::imageOfFourth(const Plane& shown, const glm::ivec2& size) {
   const ChainState* found = results_.found();
   const std::size_t fixed = look_.pair()->fixed;
   const auto toWorld = renamed<frame::World, frame::Fixed>(results_.toWorld(fixed));
@@ -121,21 +121,21 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
       }
     }
     longest_mm_ = std::max(0.1, longest_mm_);
-    ColourPicture picture{coarse, {}};
-    for (const double length : lengths) picture.rgb.push_back(colourOfLength(length, longest_mm_));
-    return imageOf(picture);
+    ColourSlice slice{coarse, {}};
+    for (const double length : lengths) slice.rgb.push_back(colourOfLength(length, longest_mm_));
+    return imageOf(slice);
   }
   if (tools_.fourth == Tools::Fourth::seam) {
     if (found == nullptr || !found->seams) {
       nothing_ = tr("No seam has been cut yet. 'Compute mosaic' cuts it.");
       return {};
     }
-    std::vector<SeenView> views;
+    std::vector<WorldView> views;
     for (std::size_t n = 0; n < document_.project().volumes.size(); ++n) {
       const auto* warp = n < found->warps.size() && results_.isFoundFresh() ? &found->warps[n] : nullptr;
       views.push_back({inputs_.volume(n).get(), {toWorld, warp, rigidInverse(results_.toWorld(n))}});
     }
-    return imageOf(seamPicture(*found->seams, views, shown, size, toWorld));
+    return imageOf(seamImage(*found->seams, views, shown, size, toWorld));
   }
   const auto result = mosaic_.volume();
   if (!result) {
@@ -148,7 +148,7 @@ QImage SliceView::pictureOfFourth(const Plane& shown, const glm::ivec2& size) {
 void SliceView::render() {
   dirty_ = false;
   nothing_.clear();
-  picture_ = {};
+  image_ = {};
   if (!look_.pair()) {
     nothing_ = document_.project().volumes.empty() ? QString() : tr("Add a second volume; then pairs can be matched.");
     return;
@@ -168,27 +168,27 @@ void SliceView::render() {
   const auto stage = look_.stage();
   switch (kind_) {
     case Kind::fixed:
-      picture_ = imageOf(sliced(*volume, shown, size, look_.fixedMapping(stage)));
+      image_ = imageOf(sliced(*volume, shown, size, look_.fixedMapping(stage)));
       break;
     case Kind::moving:
-      picture_ = imageOf(sliced(*volume, shown, size, isOwnMoving() ? Mapping{} : look_.movingMapping(stage)));
+      image_ = imageOf(sliced(*volume, shown, size, isOwnMoving() ? Mapping{} : look_.movingMapping(stage)));
       break;
     case Kind::overlap:
       if (halves) {
-        const QImage before = pictureOfOverlap(shown, size, StitchLook::Stage::start);
-        const QImage after = pictureOfOverlap(shown, size, stage);
+        const QImage before = imageOfOverlap(shown, size, StitchLook::Stage::start);
+        const QImage after = imageOfOverlap(shown, size, stage);
         if (before.isNull()) break;
-        picture_ = QImage(2 * size.x, size.y, QImage::Format_RGB888);
-        QPainter both(&picture_);
+        image_ = QImage(2 * size.x, size.y, QImage::Format_RGB888);
+        QPainter both(&image_);
         both.drawImage(0, 0, before);
         both.drawImage(size.x, 0, after);
       } else {
-        picture_ = pictureOfOverlap(shown, size, stage);
+        image_ = imageOfOverlap(shown, size, stage);
       }
-      if (picture_.isNull()) nothing_ = tr("Both volumes are needed here; one of them cannot be read.");
+      if (image_.isNull()) nothing_ = tr("Both volumes are needed here; one of them cannot be read.");
       break;
     case Kind::fourth:
-      picture_ = pictureOfFourth(shown, size);
+      image_ = imageOfFourth(shown, size);
       break;
   }
 }
@@ -316,13 +316,13 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (dirty_) render();
   QPainter painter(this);
   beginPainting(painter, Qt::black);
-  if (picture_.isNull()) {
+  if (image_.isNull()) {
     painter.setPen(kViewQuiet);
     painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, nothing_);
     return drawFocus(painter);
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(rect(), picture_);
+  painter.drawImage(rect(), image_);
   const bool halves = kind_ == Kind::overlap && tools_.sideBySide;
   if (kind_ == Kind::fourth && tools_.fourth == Tools::Fourth::displacement) {
     drawLattice(painter);
@@ -383,7 +383,7 @@ void SliceView::paintStroke(const QPointF& at) {
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
-  if (!look_.pair() || picture_.isNull()) return;
+  if (!look_.pair() || image_.isNull()) return;
   from_ = event->localPos();
   planeFrom_ = plane();
   dragging_ = event->button();

@@ -64,8 +64,8 @@ class SliceView final : public ViewBase {
   void setCross(const glm::dvec3& p_mm);
   [[nodiscard]] glm::dvec3 pointUnder(const QPointF& at) const;
   void render();
-  [[nodiscard]] QImage pictureOfOverlap(const Plane& plane, const glm::ivec2& size, StitchLook::Stage stage) const;
-  [[nodiscard]] QImage pictureOfFourth(const Plane& plane, const glm::ivec2& size);
+  [[nodiscard]] QImage imageOfOverlap(const Plane& plane, const glm::ivec2& size, StitchLook::Stage stage) const;
+  [[nodiscard]] QImage imageOfFourth(const Plane& plane, const glm::ivec2& size);
   void drawLattice(QPainter& painter) const;
   void drawLandmarks(QPainter& painter) const;
   void drawStrokes(QPainter& painter) const;
@@ -75,8 +75,8 @@ class SliceView final : public ViewBase {
   const Mosaic& mosaic_;
   Kind kind_;
   Tools& tools_;
-  QImage picture_;
-  QString nothing_;  ///< what to do when there is no picture
+  QImage image_;
+  QString nothing_;  ///< what to do when there is no image
   bool dirty_ = true;
   double longest_mm_ = 0.0;
   QPointF from_;

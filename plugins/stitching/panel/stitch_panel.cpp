@@ -420,7 +420,7 @@ void StitchPanel::refresh() {
 }
 
 void StitchPanel::showForecast() {
-  std::vector<PlacedGrid> grids;
+  std::vector<GridPlacement> grids;
   for (std::size_t n = 0; n < document_.project().volumes.size(); ++n)
     if (const auto volume = inputs_.volume(n)) grids.push_back({volume->grid, results_.toWorld(n), document_.project().volumes[n].name});
   if (grids.empty()) return forecast_->say({});

@@ -203,18 +203,18 @@ bool StitchResults::hasElastic(std::size_t a, std::size_t b) const {
          *j < found_->graph->toWorld.size() && samePlaces(a) && samePlaces(b);
 }
 
-const WarpedPair* StitchResults::warpedOf(std::size_t a, std::size_t b) const {
+const PairDeformation* StitchResults::warpedOf(std::size_t a, std::size_t b) const {
   if (!found_) return nullptr;
   const auto i = foundIndex(a);
   const auto j = foundIndex(b);
   if (!i || !j) return nullptr;
-  for (const WarpedPair& each : found_->warpedPairs)
+  for (const PairDeformation& each : found_->warpedPairs)
     if (std::minmax(each.fixed, each.moving) == std::minmax(*i, *j)) return &each;
   return nullptr;
 }
 
 bool StitchResults::isWarpedStale(std::size_t a, std::size_t b) const {
-  const WarpedPair* pair = warpedOf(a, b);
+  const PairDeformation* pair = warpedOf(a, b);
   return pair != nullptr && (pair->effort != effortOf(project(), a, b) || !hasElastic(a, b) || pairLine(a, b).stale);
 }
 

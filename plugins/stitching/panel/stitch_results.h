@@ -12,7 +12,7 @@
 #include "ew/core/frames.h"
 #include "ew/core/volume.h"
 #include "ew/stitching/chain.h"
-#include "ew/stitching/expected_cost.h"
+#include "ew/stitching/cost_estimate.h"
 #include "ew/stitching/project.h"
 #include "logic/pair_review.h"
 
@@ -71,10 +71,10 @@ class StitchResults final : public QObject {
   /// From where the project places a volume to where it is shown.
   [[nodiscard]] Transform<frame::World, frame::Placed> placedToShown(std::size_t volume) const;
 
-  [[nodiscard]] bool hasElastic(std::size_t a, std::size_t b) const;             ///< both are deformed where they lie
-  [[nodiscard]] const WarpedPair* warpedOf(std::size_t a, std::size_t b) const;  ///< of the last run; null: it was not warped
-  [[nodiscard]] bool isWarpedStale(std::size_t a, std::size_t b) const;          ///< it was warped with another effort, or lay elsewhere
-  [[nodiscard]] MachinePace warpPace() const;                                    ///< from the pairs that were warped
+  [[nodiscard]] bool hasElastic(std::size_t a, std::size_t b) const;                  ///< both are deformed where they lie
+  [[nodiscard]] const PairDeformation* warpedOf(std::size_t a, std::size_t b) const;  ///< of the last run; null: it was not warped
+  [[nodiscard]] bool isWarpedStale(std::size_t a, std::size_t b) const;  ///< it was warped with another effort, or lay elsewhere
+  [[nodiscard]] MachinePace warpPace() const;                            ///< from the pairs that were warped
   [[nodiscard]] MachinePace searchPace() const;
 
  Q_SIGNALS:

@@ -146,7 +146,7 @@ void StitchRuns::run(Step until, const QString& title) {
   begin(until, title);
 }
 
-void StitchRuns::takeUp() {
+void StitchRuns::resume() {
   std::error_code ignored;
   if (running_ || project().volumes.empty() || !fs::exists(document_.workFolder() / "steps", ignored)) return;
   begin(std::nullopt, tr("Restoring previous results"));
@@ -204,7 +204,7 @@ void StitchRuns::finish(const Result<void>& outcome, ChainMade& made, const Stit
     if (!found.reason.empty() && found.verdict != registration::Verdict::aligned) Q_EMIT notices_.said(words(found.reason));
     if (wasAsked && mosaic_.isFresh()) Q_EMIT resultMade();
   }
-  if (another) takeUp();
+  if (another) resume();
   Q_EMIT ended();
 }
 
@@ -243,7 +243,7 @@ std::vector<registration::Level> StitchRuns::warpLevels(const std::optional<Volu
   if (!pair) return {};
   auto seen = levelsSeen(*pair, true);
   if (!seen.empty()) return seen;
-  const WarpedPair* warped = results_.warpedOf(pair->fixed, pair->moving);
+  const PairDeformation* warped = results_.warpedOf(pair->fixed, pair->moving);
   return warped != nullptr ? warped->levels : seen;
 }
 

@@ -35,7 +35,7 @@ class StitchRuns final : public QObject {
   /// is told. @param withoutPlaces whatever is recorded; else from the places as they are
   void matchAll(bool withoutPlaces);
   void run(Step until, const QString& title);
-  void takeUp();  ///< reads back what earlier runs of this project finished
+  void resume();  ///< reads back what earlier runs of this project finished
   /// What was found goes along with a project that is saved as another file.
   void moveWork(const std::filesystem::path& before, const std::filesystem::path& after);
 

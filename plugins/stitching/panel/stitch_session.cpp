@@ -30,7 +30,7 @@ void StitchSession::connectParts() {
   connect(&document_, &ProjectDocument::edited, &look_, &StitchLook::followProject);
   connect(&document_, &ProjectDocument::edited, &inputs_, &ProjectInputs::readVolumes);
   connect(&document_, &ProjectDocument::edited, this, &StitchSession::tellAll);
-  connect(&document_, &ProjectDocument::resultsWanted, &runs_, &StitchRuns::takeUp);
+  connect(&document_, &ProjectDocument::resultsWanted, &runs_, &StitchRuns::resume);
   connect(&document_, &ProjectDocument::workFolderChanged, &runs_, &StitchRuns::moveWork);
   connect(&inputs_, &ProjectInputs::volumesRead, &look_, &StitchLook::fit);
   connect(&inputs_, &ProjectInputs::volumesRead, &document_, &ProjectDocument::announce);

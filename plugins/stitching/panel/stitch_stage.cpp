@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ew/widgets/elided_label.h"
+#include "ew/widgets/ellipsis_label.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
@@ -238,7 +238,7 @@ QWidget* StitchStage::makeFrame(QLabel*& title, QWidget* content, const std::vec
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(kGrid_px, 3, kGrid_px / 2, 3);
   row->setSpacing(kGrid_px / 2);
-  title = new ElidedLabel;
+  title = new EllipsisLabel;
   setLook(title, Look::small);
   title->setBuddy(content);  // and so its name for who has it read aloud
   row->addWidget(title, 1);

@@ -1,5 +1,5 @@
 // One author's way in the real window, from the start page: a case out of a real sweep, put on the mannequin, its texts, what is to be
-// found, a lesson with a step of each kind and the expert's scan, published and exported. EW_SCREENSHOTS=DIR keeps a picture of every step.
+// found, a lesson with a step of each kind and the expert's scan, published and exported. EW_SCREENSHOTS=DIR keeps an image of every step.
 #include <QCheckBox>
 #include <QFile>
 #include <QProgressBar>
@@ -69,7 +69,7 @@ class AuthorJourneyTest : public WindowFixture {
   void scan(int images, double elevational_mm) {
     for (int n = 0; n < images; ++n) {
       session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, elevational_mm));
-      session().makePictureNow();
+      session().makeImageNow();
       QTest::qWait(20);
     }
   }
@@ -122,7 +122,7 @@ class AuthorJourneyTest : public WindowFixture {
     QTest::mouseClick(view.canvas(), Qt::LeftButton, Qt::NoModifier, view.pixelOf(belly->point_mm).toPoint());
     QVERIFY(!(opened().volume.fileToWorld == before));
     session().probeControl().setHold(movedTo(session().probeControl().hold(), *belly));  // where the recording is now
-    session().makePictureNow();
+    session().makeImageNow();
     QTest::qWait(500);
     keepScreenshot(*window_, "author-07-placed");
     QVERIFY2(hand.seen<QProgressBar>("contactShare")->value() >= 20, qPrintable(hand.text("contactFigures")));
@@ -155,7 +155,7 @@ class AuthorJourneyTest : public WindowFixture {
 
   void showWhatIsToBeFound() {
     const PanelHand hand = panel("panel_targets", "targetsPanel");
-    session().makePictureNow();
+    session().makeImageNow();
     hand.press("addPlane");
     hand.type("targetName", QStringLiteral("across the liver"));
     hand.press("addPoint");

@@ -1,5 +1,5 @@
 // An author in the real window: makes cases from a sweep and from nothing, gives a volume, is warned of what looks real, sees what is
-// missing, publishes and exports; a trainee elsewhere imports it. EW_SCREENSHOTS=DIR keeps pictures of every step.
+// missing, publishes and exports; a trainee elsewhere imports it. EW_SCREENSHOTS=DIR keeps images of every step.
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -331,7 +331,7 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(inPanel<QLabel>("patient_name_warning")->isHidden());
   }
 
-  void picturesOfEarlierExaminationsAreKeptWithoutWhatTheirFilesSay() {
+  void imagesOfEarlierExaminationsAreKeptWithoutWhatTheirFilesSay() {
     QImage drawn(120, 80, QImage::Format_RGB32);
     drawn.fill(QColor(40, 90, 160));
     drawn.setText(QStringLiteral("Patient"), QStringLiteral("Somebody Real"));
@@ -339,7 +339,7 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(drawn.save(file));
     QVERIFY(QImageReader(file).text(QStringLiteral("Patient")).contains(QStringLiteral("Real")));
     const QString wrong = files_.path(QStringLiteral("wrong.png"));
-    QVERIFY(writeFileSafely(wrong.toStdString(), "no picture").has_value());
+    QVERIFY(writeFileSafely(wrong.toStdString(), "no image").has_value());
     showWindow();
     author(files_.writeCase(QStringLiteral("pictured")));
     inPanel<QPushButton>("addExamination")->click();
@@ -349,10 +349,10 @@ class AuthoringTest : public WindowFixture {
       QVERIFY(!answers.asked.isEmpty());
       QCOMPARE(inPanel<QLabel>("previous_examinations_problem")->isHidden(), chosen != wrong);
     }
-    const auto& pictures = document().current()->previousExaminations.at(0).pictures;
-    QCOMPARE(pictures.size(), std::size_t(1));
-    const QString kept = QString::fromStdString((document().current()->folder / pictures.front()).string());
-    QVERIFY(pictures.front().starts_with("media/"));
+    const auto& images = document().current()->previousExaminations.at(0).images;
+    QCOMPARE(images.size(), std::size_t(1));
+    const QString kept = QString::fromStdString((document().current()->folder / images.front()).string());
+    QVERIFY(images.front().starts_with("media/"));
     QVERIFY(QImageReader(kept).textKeys().isEmpty());
     const QImage read(kept);
     QCOMPARE(read.size(), drawn.size());
@@ -362,7 +362,7 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(document().save().has_value());
     QVERIFY(validateCase(document().current()->folder).empty());
     inPanel<QToolButton>("examination_0_removePicture_0")->click();
-    QVERIFY(document().current()->previousExaminations.at(0).pictures.empty());
+    QVERIFY(document().current()->previousExaminations.at(0).images.empty());
   }
 
   void presetsAndBodyMarksOfACaseAreOfferedAndTheFirstIsTaken() {
@@ -546,7 +546,7 @@ class AuthoringTest : public WindowFixture {
   }
 
   void everythingIsLegibleInGermanInASmallWindowAndInTheLight() {
-    if (screenshotFolder().isEmpty()) QSKIP("pictures for a person to look at; set EW_SCREENSHOTS");
+    if (screenshotFolder().isEmpty()) QSKIP("images for a person to look at; set EW_SCREENSHOTS");
     QTranslator german;
     QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
     QCoreApplication::installTranslator(&german);

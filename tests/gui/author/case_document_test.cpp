@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "ew/library/edit_autosave.h"
 #include "ew/library/folder_lease.h"
-#include "ew/library/kept_edits.h"
 #include "ew/ui_test_door/case_document.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
@@ -41,7 +41,7 @@ std::string titleOf(long number) { return "title " + std::to_string(number); }
 /// What the program that is killed does: edits, keeps the edits, says so, saves, again and again.
 int saveUntilKilled(const fs::path& folder, const fs::path& kept) {
   CaseDocument document;
-  KeptEdits edits(kept);
+  EditAutosave edits(kept);
   if (!openIn(document, folder)) return 1;
   const std::string before = document.current()->title;
   for (long n = std::stol(before.substr(before.find(' ') + 1)) + 1;; ++n) {
@@ -182,7 +182,7 @@ class CaseDocumentTest : public QObject {
       const bool isNew = opened->title == titleOf(said);
       QVERIFY2(isNew || opened->title == titleOf(said - 1), opened->title.c_str());
       (isNew ? after : before) += 1;
-      const auto left = KeptEdits(kept).left();
+      const auto left = EditAutosave(kept).left();
       if (!isNew) {
         QCOMPARE(left.size(), std::size_t(1));
         QCOMPARE(left.front().manifest["title"].get<std::string>(), titleOf(said));
@@ -195,7 +195,7 @@ class CaseDocumentTest : public QObject {
         const auto restored = document.restore(*caseFromManifest(each.manifest, each.caseFolder), "Take over", each.asRead);
         QVERIFY2(restored, restored ? "" : restored.error().sentence().c_str());
         document.close();
-        KeptEdits::remove(each);
+        EditAutosave::remove(each);
       }
       saved = isNew ? said : said - 1;
     }

@@ -19,7 +19,7 @@
 #include "ew/ui_test_door/import.h"
 #include "ew/ui_test_door/jobs.h"
 #include "ew/ui_test_door/messages.h"
-#include "ew/widgets/picture_chooser.h"
+#include "ew/widgets/image_chooser.h"
 #include "gui/support/answers.h"
 #include "io/dicom_files.h"
 #include "time_limit.h"
@@ -135,19 +135,19 @@ class ImportTest : public QObject {
     QCOMPARE(static_cast<int>(made->echo[5]), 15);
   }
 
-  void theDialogOfPicturesShowsThemAndHasRoomForItsRows() {
+  void theDialogOfImagesShowsThemAndHasRoomForItsRows() {
     const test::TempFolder folder;
     const QString file = QString::fromStdString(folder.put("still.dcm", twoPartStill()).string());
     QWidget parent;
     Jobs jobs;
     MessageBar messages(&parent);
-    QPointer<FileImportDialog> dialog = new FileImportDialog(
-        file, FileKind::dicomPictures, QStringLiteral("Two calibrated pictures lie side by side; choose one of the regions."), jobs,
-        messages, &parent);
+    QPointer<FileImportDialog> dialog =
+        new FileImportDialog(file, FileKind::dicomImages,
+                             QStringLiteral("Two calibrated images lie side by side; choose one of the regions."), jobs, messages, &parent);
     dialog->show();
     auto* region = dialog->findChild<QComboBox*>(QStringLiteral("region"));
-    auto* picture = dialog->findChild<PictureChooser*>(QStringLiteral("pictureChooser"));
-    QVERIFY(picture != nullptr);
+    auto* image = dialog->findChild<ImageChooser*>(QStringLiteral("pictureChooser"));
+    QVERIFY(image != nullptr);
     QTRY_COMPARE_WITH_TIMEOUT(region->count(), 4, static_cast<int>(ew::test::kPatience_ms));
     QTRY_VERIFY_WITH_TIMEOUT(crampedIn(*dialog).isEmpty(), static_cast<int>(ew::test::kPatience_ms));
     // A screen may be smaller than the dialog would like: then its rows scroll.
@@ -157,30 +157,30 @@ class ImportTest : public QObject {
     QVERIFY2(dialog->minimumSizeHint().width() < 960, qPrintable(QString::number(dialog->minimumSizeHint().width())));
   }
 
-  void aPartIsChosenAndARectangleIsMadeBlackOnThePicture() {
+  void aPartIsChosenAndARectangleIsMadeBlackOnTheImage() {
     const test::TempFolder folder;
     const QString file = QString::fromStdString(folder.put("still.dcm", twoPartStill()).string());
     QWidget parent;
     Jobs jobs;
     MessageBar messages(&parent);
-    QPointer<FileImportDialog> dialog = new FileImportDialog(file, FileKind::dicomPictures, {}, jobs, messages, &parent);
+    QPointer<FileImportDialog> dialog = new FileImportDialog(file, FileKind::dicomImages, {}, jobs, messages, &parent);
     dialog->show();
     QVERIFY(QTest::qWaitForWindowExposed(dialog));
     auto* region = dialog->findChild<QComboBox*>(QStringLiteral("region"));
     auto* blank = dialog->findChild<QLineEdit*>(QStringLiteral("blank"));
-    auto* picture = dialog->findChild<PictureChooser*>(QStringLiteral("pictureChooser"));
-    QVERIFY(picture != nullptr);
+    auto* image = dialog->findChild<ImageChooser*>(QStringLiteral("pictureChooser"));
+    QVERIFY(image != nullptr);
     QTRY_COMPARE_WITH_TIMEOUT(region->count(), 4, static_cast<int>(ew::test::kPatience_ms));
-    const auto at = [&](int x, int y) { return picture->placeOf({x, y, 0, 0}).topLeft().toPoint(); };
-    QTest::mouseClick(picture, Qt::LeftButton, {}, at(48, 20));
+    const auto at = [&](int x, int y) { return image->placeOf({x, y, 0, 0}).topLeft().toPoint(); };
+    QTest::mouseClick(image, Qt::LeftButton, {}, at(48, 20));
     QCOMPARE(region->currentData().toInt(), 2);
-    QTest::mousePress(picture, Qt::LeftButton, {}, at(40, 8));
-    QTest::mouseMove(picture, at(44, 10));
-    QTest::mouseRelease(picture, Qt::LeftButton, {}, at(50, 14));
+    QTest::mousePress(image, Qt::LeftButton, {}, at(40, 8));
+    QTest::mouseMove(image, at(44, 10));
+    QTest::mouseRelease(image, Qt::LeftButton, {}, at(50, 14));
     QCOMPARE(blank->text(), QStringLiteral("40,8,10,6"));
     QCOMPARE(region->currentData().toInt(), 2);
     blank->setText(blank->text() + QStringLiteral(" 0,0,5,5"));
-    QTest::mouseClick(picture, Qt::RightButton, {}, at(45, 11));
+    QTest::mouseClick(image, Qt::RightButton, {}, at(45, 11));
     QCOMPARE(blank->text(), QStringLiteral("0,0,5,5"));
   }
 
@@ -196,7 +196,7 @@ class ImportTest : public QObject {
     QWidget parent;
     Jobs jobs;
     MessageBar messages(&parent);
-    QPointer<FileImportDialog> dialog = new FileImportDialog(file, FileKind::dicomPictures, QString(), jobs, messages, &parent);
+    QPointer<FileImportDialog> dialog = new FileImportDialog(file, FileKind::dicomImages, QString(), jobs, messages, &parent);
     dialog->show();
     auto* import = dialog->findChild<QPushButton*>(QStringLiteral("importFile"));
     {

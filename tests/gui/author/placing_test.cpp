@@ -339,7 +339,7 @@ class PlacingTest : public WindowFixture {
   }
 
   void itLooksGoodInBothThemesInASmallWindowAndInGerman() {
-    if (screenshotFolder().isEmpty()) QSKIP("pictures for a person to look at");
+    if (screenshotFolder().isEmpty()) QSKIP("images for a person to look at");
     press("placeUsual");
     press("placeHandles");
     waitForContact();

@@ -47,11 +47,11 @@ class ScreenDialogTest : public testing::WindowFixture {
     const QString file = folder_ + QLatin1Char('/') + name;
     auto clip = ClipWriter::open(file.toStdString(), frames.front().cols, frames.front().rows, 20.0);
     if (!clip) return {};
-    for (const cv::Mat& picture : frames) {
-      RgbImage colour(picture.cols, picture.rows);
-      for (int y = 0; y < picture.rows; ++y)
-        for (int x = 0; x < picture.cols; ++x) {
-          const auto& p = picture.at<cv::Vec3b>(y, x);
+    for (const cv::Mat& image : frames) {
+      RgbImage colour(image.cols, image.rows);
+      for (int y = 0; y < image.rows; ++y)
+        for (int x = 0; x < image.cols; ++x) {
+          const auto& p = image.at<cv::Vec3b>(y, x);
           viewOf(colour).at(x, y) = Rgb(p[2], p[1], p[0]);
         }
       if (!clip->add(colour)) return {};
@@ -99,7 +99,7 @@ class ScreenDialogTest : public testing::WindowFixture {
     test::DrawnScreen screen = madeFan();
     QVERIFY(!screen.frames.empty());
     const double width = screen.frames.front().cols;
-    for (cv::Mat& picture : screen.frames) cv::rotate(picture, picture, cv::ROTATE_180);
+    for (cv::Mat& image : screen.frames) cv::rotate(image, image, cv::ROTATE_180);
     window_->open(write(screen.frames));
     QVERIFY(waitUntil([&] { return isReady(); }));
     const ScreenEdit& edit = *dialog()->edit();
@@ -297,7 +297,7 @@ class ScreenDialogTest : public testing::WindowFixture {
     const std::vector<cv::Mat> frames(6, cv::Mat(240, 320, CV_8UC3, cv::Scalar(90, 90, 90)));
     window_->open(write(frames));
     QVERIFY(waitUntil([&] { return isReady(); }));
-    if (dialog()->edit()->outline()) QSKIP("an even picture has an outline now");
+    if (dialog()->edit()->outline()) QSKIP("an even image has an outline now");
     QVERIFY(!in<QPushButton>("screenImport")->isEnabled());
     auto* shape = in<QComboBox>("screenShape");
     shape->setCurrentIndex(2);

@@ -76,7 +76,7 @@ class StitchingCareTest : public StitchingFixture {
     QCOMPARE(lineOf(0), QStringLiteral("sweep, not yet a volume"));
     QVERIFY(find<QPushButton>("calibration")->isVisible());
     checkNoTextIsCut();
-    keepPicture("31-uncalibrated");
+    keepImage("31-uncalibrated");
     const QString device = files_.path(QStringLiteral("device.xml"));
     QVERIFY(writeFileSafely(device.toStdString(),
                             "<PlusConfiguration><CoordinateDefinitions><Transform From=\"Image\" To=\"Probe\" "
@@ -86,7 +86,7 @@ class StitchingCareTest : public StitchingFixture {
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     QVERIFY2(lineOf(0).contains(QStringLiteral("×")), qPrintable(lineOf(0)));
     QCOMPARE(project()["volumes"].toArray()[0].toObject()["calibration"].toString(), device);
-    keepPicture("32-calibrated");
+    keepImage("32-calibrated");
   }
 
   void theChosenLineIsSeenAndTheButtonsBelowAreForIt() {
@@ -133,7 +133,7 @@ class StitchingCareTest : public StitchingFixture {
     QCOMPARE(lineOf(0), QStringLiteral("sweep, not yet a volume"));
     QVERIFY(find<QCheckBox>("acceptsSmall")->isVisible());
     checkNoTextIsCut();
-    keepPicture("34-little");
+    keepImage("34-little");
     QTest::mouseClick(find<QCheckBox>("acceptsSmall"), Qt::LeftButton, {}, QPoint(8, find<QCheckBox>("acceptsSmall")->height() / 2));
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
@@ -157,7 +157,7 @@ class StitchingCareTest : public StitchingFixture {
     QVERIFY(jobsEnd());
     QCOMPARE(signOfPair(), QStringLiteral("manual, not checked"));
     QCOMPARE(find<QLabel>("pairWord")->text(), QStringLiteral("1 of 1 pairs need review"));
-    keepPicture("33-by-hand");
+    keepImage("33-by-hand");
     clickInspector("acceptPair");
     QCOMPARE(signOfPair(), QStringLiteral("manual, accepted"));
     // What was accepted stays, and that is said; what was not is matched.
@@ -185,9 +185,9 @@ class StitchingCareTest : public StitchingFixture {
     const QString reason = find<QLabel>("pairReason")->text();
     QVERIFY2(reason.contains(QStringLiteral("agree within")) && reason.contains(QStringLiteral("to be expected")), qPrintable(reason));
     checkNoTextIsCut();
-    keepPicture("34-by-landmarks");
+    keepImage("34-by-landmarks");
     window_->setDarkTheme(false);
-    keepPicture("35-by-landmarks-light");
+    keepImage("35-by-landmarks-light");
     window_->setDarkTheme(true);
   }
 
@@ -229,7 +229,7 @@ class StitchingCareTest : public StitchingFixture {
     openWindow(folder);
     QVERIFY(view("recoveryOffer")->isVisible());
     checkNoTextIsCut();
-    keepPicture("36-two-offers");
+    keepImage("36-two-offers");
     click("reopenLeft");
     QVERIFY(jobsEnd());
     QVERIFY(project() == second);

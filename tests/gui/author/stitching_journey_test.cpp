@@ -13,21 +13,21 @@ class StitchingJourneyTest : public StitchingFixture {
   void fromThreeSubvolumesToACase() {
     const QString folder = files_.writeCase(QStringLiteral("journey case"));
     openWindow(folder);
-    keepPicture("1-empty");
+    keepImage("1-empty");
 
     drop({parts_[0].file, parts_[1].file, parts_[2].file});
     QVERIFY(jobsEnd());
     QCOMPARE(find<QListWidget>("volumes")->count(), 3);
-    keepPicture("2-dropped");
+    keepImage("2-dropped");
 
     // Without a tracker.
     click("matchAll");
     QTest::qWait(700);
-    keepPicture("3-matching");
+    keepImage("3-matching");
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     checkNoTextIsCut();
-    keepPicture("4-matched");
+    keepImage("4-matched");
     for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
       QVERIFY2(verdict(a, b) == QLatin1String("aligned"), qPrintable(QStringLiteral("%1 %2: %3").arg(a).arg(b).arg(verdict(a, b))));
       QMetaObject::invokeMethod(stitching(), "chooseThePair", Q_ARG(int, a), Q_ARG(int, b));
@@ -47,7 +47,7 @@ class StitchingJourneyTest : public StitchingFixture {
     }
     QTest::keyClick(view("fixedView"), Qt::Key_P);
     QCOMPARE(find<QTableWidget>("landmarks")->rowCount(), 4);
-    keepPicture("5-landmarks");
+    keepImage("5-landmarks");
     clickInspector("useLandmarks");
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
@@ -60,13 +60,13 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     QVERIFY(ask<bool>(stitching(), "isElasticFound"));
     choose("fourthChoice", 1);
-    keepPicture("6-elastic");
+    keepImage("6-elastic");
 
     // One is rejected, and then matched again with other settings.
     QMetaObject::invokeMethod(stitching(), "chooseThePair", Q_ARG(int, 0), Q_ARG(int, 2));
     clickInspector("rejectPair");
     QVERIFY(ask<QString>(stitching(), "projectAsText").contains(QLatin1String("rejected")));
-    keepPicture("7-rejected");
+    keepImage("7-rejected");
     choose("pairMethod", 1);
     find<QDoubleSpinBox>("maxTurn")->setValue(15.0);
     clickInspector("redoPair");
@@ -80,7 +80,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     QVERIFY(ask<int>(stitching(), "nodesOfResult") > 0);
     choose("fourthChoice", 2);
-    keepPicture("8-seam");
+    keepImage("8-seam");
 
     // The seam is edited: two strokes, each a step; both are taken back and one is made again.
     click("paintSeam");
@@ -88,7 +88,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QTest::mouseClick(view("fourthView"), Qt::LeftButton, Qt::NoModifier, middle);
     QTest::mouseClick(view("fourthView"), Qt::LeftButton, Qt::NoModifier, middle + QPoint(40, 10));
     QCOMPARE(strokes(), 2);
-    keepPicture("9-painted");
+    keepImage("9-painted");
     const QJsonObject painted = project();
     QTest::keyClick(view("fourthView"), Qt::Key_Z, Qt::ControlModifier);
     QTest::keyClick(view("fourthView"), Qt::Key_Z, Qt::ControlModifier);
@@ -101,7 +101,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     choose("fourthChoice", 3);
     choose("overlayKind", 3);
-    keepPicture("10-result");
+    keepImage("10-result");
 
     // Saved, closed, opened again.
     const QString file = files_.path(QStringLiteral("abdomen.json"));
@@ -143,7 +143,7 @@ class StitchingJourneyTest : public StitchingFixture {
     session().probeControl().setHold(session().probeControl().hold());
     QTRY_VERIFY_WITH_TIMEOUT(session().frames().framesMade() > frames, 60000);
     window_->setWorkspace(Workspace::author);
-    keepPicture("11-in-the-case");
+    keepImage("11-in-the-case");
   }
 
   void nudgesAreOneStepAndUndoIsTheProjectsOwn() {
@@ -172,20 +172,20 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY2(find<QLabel>("lastEdit")->text().contains(QStringLiteral("move ")), qPrintable(find<QLabel>("lastEdit")->text()));
     QTest::keyClick(view("fixedView"), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(project() == before);
-    keepPicture("12-two");
+    keepImage("12-two");
     window_->resize(1920, 1080);
     QTest::qWait(100);
-    keepPicture("13-large");
+    keepImage("13-large");
     window_->resize(3840, 2160);
     QTest::qWait(100);
-    keepPicture("13-largest");
+    keepImage("13-largest");
     window_->resize(1920, 1080);
     QTest::qWait(100);
     window_->setDarkTheme(false);
-    keepPicture("14-light");
+    keepImage("14-light");
     window_->setDarkTheme(true);
     QTest::keyClick(view("fixedView"), Qt::Key_F1);
-    keepPicture("15-keys");
+    keepImage("15-keys");
   }
 
   void sweepsAreReconstructedAndMatchedLikeVolumes() {
@@ -214,7 +214,7 @@ class StitchingJourneyTest : public StitchingFixture {
     // A reconstructed sweep keeps the tracker's coordinates, which here are those of the piece.
     QVERIFY2(errorBetween_mm(a, b) < 1.0, qPrintable(QString::number(errorBetween_mm(a, b))));
     checkNoTextIsCut();
-    keepPicture("18-sweeps");
+    keepImage("18-sweeps");
   }
 
   void aJobIsCancelledFromItsCardAndLeavesEverythingAsItWas() {
@@ -228,7 +228,7 @@ class StitchingJourneyTest : public StitchingFixture {
       const auto* cancel = find<QPushButton>("cancelJob");
       return cancel != nullptr && cancel->isVisible();
     }));
-    keepPicture("19-job-card");
+    keepImage("19-job-card");
     click("cancelJob");
     QVERIFY(jobsEnd());
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
@@ -319,7 +319,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QCOMPARE(project()["pairs"].toArray()[0].toObject()["effort"].toString(), QStringLiteral("accurate"));
     QVERIFY(find<QLabel>("expectedCost")->text() != fast);
     QVERIFY2(find<QLabel>("measuredCost")->text().contains(QStringLiteral("fast")), qPrintable(find<QLabel>("measuredCost")->text()));
-    keepPicture("20-effort-changed");
+    keepImage("20-effort-changed");
     clickInspector("bendAgain");
     QVERIFY(jobsEnd());
     QCOMPARE(ask<QString>(stitching(), "effortOfWarp"), QStringLiteral("accurate"));
@@ -327,7 +327,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY2(accurate_mm < 0.5 * rigid_mm, qPrintable(QStringLiteral("%1 to %2 mm").arg(rigid_mm).arg(accurate_mm)));
     choose("fourthChoice", 1);
     checkNoTextIsCut();
-    keepPicture("21-bent");
+    keepImage("21-bent");
 
     // A stroke that is drawn, not clicked: many dabs, one step.
     click("seams");
@@ -346,7 +346,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QTest::mouseRelease(seam, Qt::LeftButton, Qt::NoModifier, from + QPoint(96, 36));
     QVERIFY2(strokes() >= 4, qPrintable(QString::number(strokes())));
     QVERIFY(view("resultIsOld")->isVisible());
-    keepPicture("22-drawn");
+    keepImage("22-drawn");
     click("seams");
     QVERIFY(jobsEnd());
     QVERIFY(!view("resultIsOld")->isVisible());
@@ -362,7 +362,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY(jobsEnd());
     QCOMPARE(find<QListWidget>("volumes")->count(), 1);
     QVERIFY2(problem().contains(QStringLiteral("bad.mha")), qPrintable(problem()));
-    keepPicture("16-problem");
+    keepImage("16-problem");
     // Of several the first is explained and the others are counted.
     const QString worse = files_.path(QStringLiteral("worse.mha"));
     QVERIFY(writeFileSafely(worse.toStdString(), "no volume either"));
@@ -389,7 +389,7 @@ class StitchingJourneyTest : public StitchingFixture {
     drop({bad});
     QVERIFY(waitUntil([this] { return !problem().isEmpty(); }));
     QTest::qWait(100);
-    keepPicture("28-cards");
+    keepImage("28-cards");
     const auto onScreen = [](const QWidget* widget) { return QRect(widget->mapToGlobal(QPoint(0, 0)), widget->size()); };
     QScrollArea* scroll = nullptr;
     for (QWidget* above = panel(); above != nullptr && scroll == nullptr; above = above->parentWidget())
@@ -520,7 +520,7 @@ class StitchingJourneyTest : public StitchingFixture {
     QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
     QApplication::installTranslator(&german);
     openWindow(files_.writeCase(QStringLiteral("german case")));
-    keepPicture("23-german-empty");
+    keepImage("23-german-empty");
     drop({parts_[0].file, parts_[1].file, writeStranger(QStringLiteral("ein Fremder mit einem sehr langen und umständlichen Namen.mha"))});
     QVERIFY(jobsEnd());
     const QString bad = files_.path(QStringLiteral("kein Volumen.mha"));
@@ -537,19 +537,19 @@ class StitchingJourneyTest : public StitchingFixture {
              }),
              "no step of the run is named in German");
     QTest::qWait(900);
-    keepPicture("24-german-running");
+    keepImage("24-german-running");
     QVERIFY(jobsEnd());
     QMetaObject::invokeMethod(stitching(), "chooseThePair", Q_ARG(int, 0), Q_ARG(int, 2));
     const QString reason = find<QLabel>("pairReason")->text();
     const QString whole = find<QLabel>("outcome")->text();
     checkNoTextIsCut();
-    keepPicture("25-german-refused");
+    keepImage("25-german-refused");
     window_->resize(1280, 800);
     QTest::qWait(100);
-    keepPicture("26-german-small");
+    keepImage("26-german-small");
     window_->resize(1920, 1080);
     QTest::qWait(100);
-    keepPicture("27-german-large");
+    keepImage("27-german-large");
     QApplication::removeTranslator(&german);
     QVERIFY2(verdict(0, 2) != QLatin1String("aligned"), qPrintable(verdict(0, 2)));
     for (const QString& text : {reason, whole}) {
@@ -573,7 +573,7 @@ class StitchingJourneyTest : public StitchingFixture {
     window_.reset();
     openWindow(folder);
     QVERIFY(view("recoveryOffer")->isVisible());
-    keepPicture("17-offer");
+    keepImage("17-offer");
     click("reopenLeft");
     QVERIFY(jobsEnd());
     QVERIFY(project() == before);

@@ -68,7 +68,7 @@ class TargetsTest : public WindowFixture {
     QVERIFY2(tab != nullptr, "the plugin of authors brings the panel");
     find<QTabWidget>("authorPanel")->setCurrentWidget(tab);
     QVERIFY(waitUntil([this] { return find<QWidget>("targetsPanel") != nullptr && panel().isVisible(); }));
-    session().makePictureNow();
+    session().makeImageNow();
   }
   [[nodiscard]] const Case& opened() const { return *window_->document().current(); }
   [[nodiscard]] const CaseTarget& target(std::size_t n) const { return opened().targets.at(n); }
@@ -98,8 +98,8 @@ class TargetsTest : public WindowFixture {
   }
   /// Mean grey of a box of the image plane.
   [[nodiscard]] double meanEcho(double left_mm, double right_mm, double top_mm, double bottom_mm) const {
-    session().makePictureNow();
-    const ImageView<const std::uint8_t> grey = session().picture().grey;
+    session().makeImageNow();
+    const ImageView<const std::uint8_t> grey = session().image().grey;
     double sum = 0.0;
     int count = 0;
     for (int y = 0; y < grey.height; ++y)
@@ -180,16 +180,16 @@ class TargetsTest : public WindowFixture {
     QVERIFY(in<QLabel>("planeAway").text().contains(QStringLiteral("within")));
     const auto taken = *target(0).probeToFile;
     session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 15.0));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(waitUntil([this] { return !in<QLabel>("planeAway").text().contains(QStringLiteral("within")); }));
     QVERIFY2(in<QLabel>("planeAway").text().contains(QStringLiteral("mm")), qPrintable(in<QLabel>("planeAway").text()));
     keepScreenshot(*window_, "targets-03-plane");
     press("planeGo");
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY2(waitUntil([this] { return in<QLabel>("planeAway").text().contains(QStringLiteral("within")); }),
              qPrintable(in<QLabel>("planeAway").text()));
     session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 15.0));
-    session().makePictureNow();
+    session().makeImageNow();
     press("planeTake");
     QVERIFY(glm::distance(glm::dvec3(target(0).probeToFile->matrix[3]), glm::dvec3(taken.matrix[3])) > 10.0);
     window_->document().history().undo();
@@ -261,7 +261,7 @@ class TargetsTest : public WindowFixture {
       QVERIFY2(waitUntil([&] { return seen(button) != nullptr; }), button);
       seen(button)->click();
     }
-    session().makePictureNow();
+    session().makeImageNow();
     clickAt(0.0, kDepth_mm);
     keepScreenshot(*window_, "targets-08-asked-for");
     QVERIFY(waitUntil([&] { return seen("stepDone") != nullptr; }));
@@ -310,7 +310,7 @@ class TargetsTest : public WindowFixture {
     const QString other = files_.writeCase(QStringLiteral("other"));
     QVERIFY(openCase(other));
     QVERIFY(openCase(folder_));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY2(meanEcho(-3.0, 3.0, 62.0, 90.0) < 0.5 * before, "opened again it throws its shadow");
   }
 
@@ -319,7 +319,7 @@ class TargetsTest : public WindowFixture {
     press("toolTrace");
     for (const double along_mm : {-8.0, 8.0, 8.0}) {
       session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, along_mm));
-      session().makePictureNow();
+      session().makeImageNow();
       strokeTo({{-10.0, 40.0}, {10.0, 40.0}, {10.0, 60.0}, {-10.0, 60.0}});
     }
     QVERIFY2(in("fillBetween").text().contains(QLatin1Char('3')), qPrintable(in("fillBetween").text()));
@@ -385,7 +385,7 @@ class TargetsTest : public WindowFixture {
   }
 
   void itLooksGoodInBothThemesInASmallWindowAndInGerman() {
-    if (screenshotFolder().isEmpty()) QSKIP("pictures for a person to look at");
+    if (screenshotFolder().isEmpty()) QSKIP("images for a person to look at");
     const auto fill = [this] {
       press("addPoint");
       press("addPlane");

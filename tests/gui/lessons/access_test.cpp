@@ -199,7 +199,7 @@ class AccessTest final : public LearnerFixture {
     attempt.caseId = "taught";
     attempt.lessonId = "first";
     attempt.person = "Somebody else";
-    const auto kept = KeptAttempt::begin(attemptsFolder(libraryFolder()), attempt);
+    const auto kept = AttemptFolder::begin(attemptsFolder(libraryFolder()), attempt);
     QVERIFY(kept);
     const QString recording = QString::fromStdString((kept->folder() / "step.seq.mha").string());
     QFile file(recording);
@@ -315,7 +315,7 @@ class AccessTest final : public LearnerFixture {
     QVERIFY(opened);
     const auto taken = takeExamined(folder, *opened, files_.path(QStringLiteral("scored")).toStdString());
     QVERIFY2(taken.has_value(), taken ? "" : taken.error().sentence().c_str());
-    QCOMPARE(KeptAttempt::open(*taken)->attempt().lessonId, std::string("first"));
+    QCOMPARE(AttemptFolder::open(*taken)->attempt().lessonId, std::string("first"));
   }
 };
 

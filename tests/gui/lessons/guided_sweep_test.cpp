@@ -10,7 +10,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ew/imaging/picture.h"
+#include "ew/imaging/display_image.h"
 #include "ew/library/schema.h"
 #include "ew/ui_test_door/images.h"
 #include "ew/widgets/words.h"
@@ -56,7 +56,7 @@ class GuidedSweepTest final : public testing::WindowFixture {
   }
   void waitForImage() const {
     session().frames().ask();
-    session().makePictureNow();
+    session().makeImageNow();
     QTest::qWait(0);
   }
   /// A sweep of a second, 40 mm long, between two poses of the hand; the hand stays at its end.
@@ -174,20 +174,20 @@ class GuidedSweepTest final : public testing::WindowFixture {
     QVERIFY(section() == kept);
   }
 
-  void itsDrawingsFollowTheProbeThroughZoomAndInversionAndStayOutOfSavedPictures() {
+  void itsDrawingsFollowTheProbeThroughZoomAndInversionAndStayOutOfSavedImages() {
     openWindow();
     showGuide();
     QVERIFY(!isRingDrawnAbout({0.0, 60.0}));
     const QDateTime at(QDate(2026, 1, 2), QTime(3, 4));
-    const QImage saved = savedPicture(session(), at);
+    const QImage saved = savedImage(session(), at);
     press("guideEnd");
     QVERIFY(isRingDrawnAbout({0.0, 60.0}));
     QVERIFY(isLabelled({0.0, 60.0}));
-    QCOMPARE(savedPicture(session(), at), saved);
+    QCOMPARE(savedImage(session(), at), saved);
     const Hold there = session().probeControl().hold();
     slide(20.0, 0.0);
     const auto target =
-        inverse(session().picturePose().probeToWorld) * (poseOf(section()["end"]).probeToWorld * Point<frame::Probe>{{0.0, 60.0, 0.0}});
+        inverse(session().imagePose().probeToWorld) * (poseOf(section()["end"]).probeToWorld * Point<frame::Probe>{{0.0, 60.0, 0.0}});
     QVERIFY(std::abs(target.at.x) > 5.0);
     QVERIFY(isRingDrawnAbout({target.at.x, target.at.y}));
     QVERIFY(!isRingDrawnAbout({target.at.x + 30.0, target.at.y}));
@@ -214,7 +214,7 @@ class GuidedSweepTest final : public testing::WindowFixture {
     const Pose hand = session().probeControl().pose();
     std::vector<Pose> seen;
     bool isOver = false;
-    const auto connection = connect(&session(), &Session::pictureChanged, this, [&] {
+    const auto connection = connect(&session(), &Session::imageChanged, this, [&] {
       if (isOver || (seen.empty() && !session().probeControl().isFollowing())) return;
       seen.push_back(session().shownState().pose);
       isOver = !session().probeControl().isFollowing();  // the plugin gave the probe back at this image

@@ -5,7 +5,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
-#include "ew/assessment/kept_repetition.h"
+#include "ew/assessment/repetition_record.h"
 #include "ew/widgets/theme.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/taught_case.h"
@@ -27,7 +27,7 @@ class LearningTest final : public LearnerFixture {
     attempt.lessonId = lesson;
     attempt.lessonTitle = "Lesson " + lesson;
     attempt.person = person;
-    auto kept = KeptAttempt::begin(attemptsFolder(libraryFolder()), attempt);
+    auto kept = AttemptFolder::begin(attemptsFolder(libraryFolder()), attempt);
     QVERIFY(kept);
     for (const auto& [step, verdict] : steps) {
       StepOutcome outcome;
@@ -89,12 +89,12 @@ class LearningTest final : public LearnerFixture {
   [[nodiscard]] std::size_t askedPlane() const { return text("stepTitle").contains(QStringLiteral("near")) ? 0 : 1; }
   void solve() {
     session().probeControl().setHold(planes_[askedPlane()]);
-    session().makePictureNow();
+    session().makeImageNow();
     press("stepDone");
   }
   void failIt() {
     session().probeControl().setHold(slid(planes_[askedPlane()], *session().probeControl().skin(), 0.0, -40.0));
-    session().makePictureNow();
+    session().makeImageNow();
     press("stepDone");
   }
   [[nodiscard]] static std::vector<RepetitionState> states(const std::string& person = {}) {

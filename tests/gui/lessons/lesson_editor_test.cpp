@@ -145,7 +145,7 @@ class LessonEditorTest : public WindowFixture {
   void scan(int images) {
     for (int n = 0; n < images; ++n) {
       session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 1.0));
-      session().makePictureNow();
+      session().makeImageNow();
       QTest::qWait(20);
     }
   }
@@ -483,7 +483,7 @@ class LessonEditorTest : public WindowFixture {
     QVERIFY2(listAttempts(libraryFolder() / "attempts").attempts.empty(), "nothing was kept");
   }
 
-  void aPictureIsKeptWithoutWhatIsWrittenInItsFile() {
+  void anImageIsKeptWithoutWhatIsWrittenInItsFile() {
     QVERIFY(openAuthor(QStringLiteral("pictured")));
     QImage photo(300, 200, QImage::Format_RGB32);
     photo.fill(Qt::darkCyan);
@@ -494,8 +494,8 @@ class LessonEditorTest : public WindowFixture {
     addStep("read");
     auto* form = seen<QWidget>(QStringLiteral("taskForm"));
     QVERIFY(form);
-    QVERIFY(QMetaObject::invokeMethod(form, "takePicture", Q_ARG(QString, file)));
-    const std::string name = std::get<ReadTask>(stepOf("read").task).picture;
+    QVERIFY(QMetaObject::invokeMethod(form, "takeImage", Q_ARG(QString, file)));
+    const std::string name = std::get<ReadingTask>(stepOf("read").task).image;
     QVERIFY(QString::fromStdString(name).startsWith(QStringLiteral("media/")));
     QFile kept(folder_ + QStringLiteral("/parts/lessons/") + QString::fromStdString(name));
     QVERIFY(kept.open(QIODevice::ReadOnly));

@@ -53,7 +53,7 @@ class LessonsTest : public WindowFixture {
   [[nodiscard]] bool isScanKept() {
     return waitUntil([this] {
       session().frames().ask();
-      session().makePictureNow();
+      session().makeImageNow();
       return isKept("step.jsonl");
     });
   }
@@ -126,7 +126,7 @@ class LessonsTest : public WindowFixture {
     lesson.id = "first";
     lesson.title = "The ball";
     lesson.aim = "You find a ball and measure it.";
-    lesson.steps = {step("read", ReadTask{}),
+    lesson.steps = {step("read", ReadingTask{}),
                     step("watch", WatchTask{"scans/expert.seq.mha", {}, {}, {{0.4, "Here is the ball."}}}),
                     step("plane", PlaneTask{"start plane", {}, {}}),
                     step("sweep", SweepTask{"ball", 0.5}),
@@ -281,7 +281,7 @@ class LessonsTest : public WindowFixture {
     press("tryAgain");
     waitForStep("plane");
     session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, -25.0));
-    session().makePictureNow();
+    session().makeImageNow();
     press("stepDone");
     QVERIFY2(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }), qPrintable(text("outcomeScore")));
     press("nextStep");
@@ -293,7 +293,7 @@ class LessonsTest : public WindowFixture {
     for (int n = -10; n <= 10; ++n) {
       session().probeControl().setHold(
           slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, n == -10 ? -20.0 : 2.0));
-      session().makePictureNow();
+      session().makeImageNow();
     }
     press("stepDone");
     QVERIFY2(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }), qPrintable(text("remarkMissed")));
@@ -303,7 +303,7 @@ class LessonsTest : public WindowFixture {
     QVERIFY(!seen("stepDone")->isEnabled());
     session().setFrozen(true);
     window_->calipers().take(measurement::CaliperKind::distance);
-    window_->calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) {
+    window_->calipers().changeIn(Where::image, [](measurement::CaliperDrawing& drawing) {
       static_cast<void>(drawing.press({-16.0, 50.0}, 0.0));
       static_cast<void>(drawing.press({16.0, 50.0}, 0.0));
     });
@@ -314,7 +314,7 @@ class LessonsTest : public WindowFixture {
 
     waitForStep("point");
     session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, -20.0));
-    session().makePictureNow();
+    session().makeImageNow();
     session().setFrozen(true);  // and no button is to be pressed
     auto* layer = find<PickLayer>("pointing");
     QVERIFY(waitUntil([&] { return layer->isPicking(); }));
@@ -334,7 +334,7 @@ class LessonsTest : public WindowFixture {
     Knobs knobs = session().console().knobs();
     knobs.depth_mm = 120.0;
     session().console().setKnobs(knobs);
-    session().makePictureNow();
+    session().makeImageNow();
     press("stepDone");
     QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Passed")); }));
     press("nextStep");
@@ -362,7 +362,7 @@ class LessonsTest : public WindowFixture {
     QVERIFY(attempt.finishedAt);
     QCOMPARE(attempt.outcomes.size(), std::size_t(10));  // the plane twice
     QVERIFY(attempt.outcomeOf("plane")->verdict == StepVerdict::passed);
-    QVERIFY(QFile::exists(QString::fromStdString((kept.attempts.front().first / attempt.outcomeOf("plane")->pictures.front()).string())));
+    QVERIFY(QFile::exists(QString::fromStdString((kept.attempts.front().first / attempt.outcomeOf("plane")->images.front()).string())));
     QVERIFY(readRecording(kept.attempts.front().first / attempt.outcomeOf("sweep")->recording));
   }
 
@@ -425,7 +425,7 @@ class LessonsTest : public WindowFixture {
   /// Whoever pointed beside it sees where it was, and not before.
   void whatWasToBePointedAtIsOutlinedOnceItWasJudged() {
     beginWith({step("point", PointTask{"ball"})});
-    session().makePictureNow();
+    session().makeImageNow();
     session().setFrozen(true);
     auto* layer = find<PickLayer>("pointing");
     QVERIFY(waitUntil([&] { return layer->isPicking(); }));
@@ -445,15 +445,15 @@ class LessonsTest : public WindowFixture {
     LessonStep asked = step("point", PointTask{"ball"});
     asked.aids.outline = true;
     beginWith({asked});
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(waitUntil([this] { return isBallOutlined(); }));
     QCOMPARE(text("outlineElsewhere"), QString());
     session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, 40.0));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(waitUntil([this] { return text("outlineElsewhere") == QStringLiteral("What is sought is not in this image."); }));
     QVERIFY(!isBallOutlined());
     session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, -40.0));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(waitUntil([this] { return text("outlineElsewhere").isEmpty(); }));
   }
 
@@ -495,7 +495,7 @@ class LessonsTest : public WindowFixture {
     startAndGoOn("plane");
     QVERIFY2(attempts().attempts.size() == tried, "it goes on in its own attempt");
     session().probeControl().setHold(slid(session().probeControl().hold(), *session().probeControl().skin(), 0.0, -5.0));
-    session().makePictureNow();
+    session().makeImageNow();
     press("stepDone");
     press("nextStep");
     QVERIFY(waitUntil([this] { return text("outcomeHeading").startsWith(QStringLiteral("Lesson")); }));
@@ -504,9 +504,9 @@ class LessonsTest : public WindowFixture {
   }
 
   void whatIsReadIsNotPassed() {
-    LessonStep read = step("read", ReadTask{});
+    LessonStep read = step("read", ReadingTask{});
     read.after = "The box shows how far the recording reaches.";
-    beginWith({read, step("next", ReadTask{})});
+    beginWith({read, step("next", ReadingTask{})});
     press("stepDone");
     QVERIFY(waitUntil([this] { return text("afterStep") == QStringLiteral("The box shows how far the recording reaches."); }));
     QCOMPARE(text("outcomeHeading"), QString::fromStdString(read.title));
@@ -523,9 +523,9 @@ class LessonsTest : public WindowFixture {
     // As on a machine that is a million times slower.
     QDir().mkpath(cache);
     QVERIFY(writeFileSafely((cache + QStringLiteral("/speed.json")).toStdString(), R"({"recording": 1e6})"));
-    LessonStep elsewhere = step("elsewhere", ReadTask{});
+    LessonStep elsewhere = step("elsewhere", ReadingTask{});
     elsewhere.caseId = "small";
-    beginWith({step("read", ReadTask{}), elsewhere});
+    beginWith({step("read", ReadingTask{}), elsewhere});
     press("stepDone");
     waitForStep("elsewhere");
     QCOMPARE(QString::fromStdString(window_->document().current()->id), QStringLiteral("small"));
@@ -539,9 +539,9 @@ class LessonsTest : public WindowFixture {
     QVERIFY(saveCase(*made, broken.toStdString()).has_value());
     QFile volume(broken + QStringLiteral("/volume.mha"));
     QVERIFY(volume.resize(volume.size() / 2));
-    LessonStep elsewhere = step("elsewhere", ReadTask{});
+    LessonStep elsewhere = step("elsewhere", ReadingTask{});
     elsewhere.caseId = "broken";
-    beginWith({step("read", ReadTask{}), elsewhere});
+    beginWith({step("read", ReadingTask{}), elsewhere});
     press("stepDone");
     press("leaveWaiting");
     QVERIFY(waitUntil([this] { return seen("goOnWithLesson") != nullptr; }));

@@ -70,7 +70,7 @@ class ReviewTest final : public WindowFixture {
                               Q_ARG(QString, QLatin1String(image)));
     return lines;
   }
-  [[nodiscard]] QPoint onPicture(double lateral_mm, double axial_mm) const {
+  [[nodiscard]] QPoint onImage(double lateral_mm, double axial_mm) const {
     QPointF at;
     QMetaObject::invokeMethod(door(), "pixelOfPoint", Qt::DirectConnection, Q_RETURN_ARG(QPointF, at), Q_ARG(double, lateral_mm),
                               Q_ARG(double, axial_mm));
@@ -276,13 +276,13 @@ class ReviewTest final : public WindowFixture {
     QTest::keyClick(column().seen<QLineEdit>("reviewReviewer"), Qt::Key_Return);
     clickTime(10.0);
     stage().press("reviewCircle");
-    auto* picture = stage().seen<QWidget>("reviewedPicture");
-    QTest::mousePress(picture, Qt::LeftButton, Qt::NoModifier, onPicture(0.0, 55.0));
-    QTest::mouseMove(picture, onPicture(10.0, 60.0));
-    QTest::mouseRelease(picture, Qt::LeftButton, Qt::NoModifier, onPicture(20.0, 65.0));
+    auto* image = stage().seen<QWidget>("reviewedPicture");
+    QTest::mousePress(image, Qt::LeftButton, Qt::NoModifier, onImage(0.0, 55.0));
+    QTest::mouseMove(image, onImage(10.0, 60.0));
+    QTest::mouseRelease(image, Qt::LeftButton, Qt::NoModifier, onImage(20.0, 65.0));
     stage().press("reviewArrow");
-    QTest::mousePress(picture, Qt::LeftButton, Qt::NoModifier, onPicture(-40.0, 100.0));
-    QTest::mouseRelease(picture, Qt::LeftButton, Qt::NoModifier, onPicture(-12.0, 68.0));
+    QTest::mousePress(image, Qt::LeftButton, Qt::NoModifier, onImage(-40.0, 100.0));
+    QTest::mouseRelease(image, Qt::LeftButton, Qt::NoModifier, onImage(-12.0, 68.0));
     stage().type("reviewCommentText", QStringLiteral("Here the cyst is cut off its middle: tilt less."));
     keep("review-09-drawing");
     stage().press("reviewAddComment");
@@ -398,7 +398,7 @@ class ReviewTest final : public WindowFixture {
     QVERIFY(codes);
     AttemptResults results(libraryFolder());
     for (const auto& folder : {ann_, ben_}) {
-      const auto kept = KeptAttempt::open(folder);
+      const auto kept = AttemptFolder::open(folder);
       const AttemptResult result = results.of(folder, kept->attempt());
       const QString first = QStringLiteral("%1 · %2 % · %3\n")
                                 .arg(QString::fromStdString(codes->ofPerson(kept->attempt().person)))

@@ -1,4 +1,4 @@
-// Every expert's scan that is shipped: one moment of it is the same picture in the lesson's window, where it is replayed (Review, stored
+// Every expert's scan that is shipped: one moment of it is the same image in the lesson's window, where it is replayed (Review, stored
 // clips, films, DICOM), and from the command.
 #include <QProcess>
 #include <algorithm>
@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 constexpr int kWidth = 320, kHeight = 240;
 constexpr int kRowsOfWords = 40;  // below, where a file has words burnt in
 
-std::vector<std::uint8_t> pixelsOf(const Picture& picture) {
+std::vector<std::uint8_t> pixelsOf(const DisplayImage& image) {
   std::vector<std::uint8_t> pixels;
-  for (int y = 0; y < picture.height(); ++y) pixels.insert(pixels.end(), picture.grey.row(y), picture.grey.row(y) + picture.width());
+  for (int y = 0; y < image.height(); ++y) pixels.insert(pixels.end(), image.grey.row(y), image.grey.row(y) + image.width());
   return pixels;
 }
 
 /// One frame of a scan, as a scan of its own: nothing before it shows in it.
-ScanRecording momentOf(const ScanRecording& scan, std::size_t frame) {
+ScanRecording timestampOf(const ScanRecording& scan, std::size_t frame) {
   ScanRecording moment{.caseId = scan.caseId, .title = scan.title, .size_px = {kWidth, kHeight}, .log = {}, .notes = {}};
   moment.log.addFrame(scan.log.frame(frame));
   return moment;
@@ -40,17 +40,17 @@ class ShippedExpertsTest : public UsabilityFixture {
   void initTestCase() { initUsabilityTranslations(); }
   void cleanup() { window_.reset(); }
 
-  void oneMomentIsOnePicture_data() {
+  void oneMomentIsOneImage_data() {
     QTest::addColumn<QString>("folder");
     for (const auto& each : fs::directory_iterator(fs::path(EW_SOURCE_DIR) / "cases"))
       if (fs::exists(each.path() / "case.json"))
         QTest::newRow(each.path().filename().c_str()) << QString::fromStdString(each.path().string());
   }
-  void oneMomentIsOnePicture() {
+  void oneMomentIsOneImage() {
     QFETCH(QString, folder);
     const QString copy = coarseCopyOf(folder.toStdString());
     showWindowWithCase(copy);
-    session().setPictureSize(kWidth, kHeight);
+    session().setImageSize(kWidth, kHeight);
     const auto opened = loadCase(copy.toStdString());
     QVERIFY(opened.has_value());
     const auto lessons = lessonsOf(*opened);
@@ -66,10 +66,10 @@ class ShippedExpertsTest : public UsabilityFixture {
         const std::size_t last = scan->log.frameCount() - 1;
         for (const std::size_t frame : {std::size_t{0}, last / 3, last}) {
           const QByteArray what = QStringLiteral("%1, image %2").arg(QString::fromStdString(watch->recording)).arg(frame).toUtf8();
-          const ScanRecording moment = momentOf(*scan, frame);
+          const ScanRecording moment = timestampOf(*scan, frame);
           session().play(moment.log.frame(0));
-          session().setPictureSize(kWidth, kHeight);
-          session().makePictureNow();
+          session().setImageSize(kWidth, kHeight);
+          session().makeImageNow();
           const std::vector<std::uint8_t> inWindow = testing::pixelsOf(session());
           session().play({});
           QCOMPARE(inWindow.size(), std::size_t{kWidth * kHeight});
@@ -77,7 +77,7 @@ class ShippedExpertsTest : public UsabilityFixture {
                    what);
 
           Replay replay(moment.log, *session().subject());
-          QVERIFY2(pixelsOf(replay.make(0, kWidth, kHeight)) == inWindow, what + ": replayed, it is another picture");
+          QVERIFY2(pixelsOf(replay.make(0, kWidth, kHeight)) == inWindow, what + ": replayed, it is another image");
 
           const QString file = files_.path(QStringLiteral("moment.seq.mha")), images = files_.path(QStringLiteral("images"));
           QVERIFY(writeRecording(moment, file.toStdString()).has_value());
@@ -88,7 +88,7 @@ class ShippedExpertsTest : public UsabilityFixture {
           const auto written = readImage((images + QStringLiteral("/image_0000.png")).toStdString());
           QVERIFY2(written && written->width == kWidth && written->height == kHeight, what);
           QVERIFY2(std::equal(inWindow.begin(), inWindow.end() - std::ptrdiff_t{kRowsOfWords} * kWidth, written->pixels.begin()),
-                   what + ": the command makes another picture");
+                   what + ": the command makes another image");
         }
       }
     QCOMPARE(scans, 2);

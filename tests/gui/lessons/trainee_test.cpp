@@ -210,7 +210,7 @@ class TraineeTest : public WindowFixture {
   void slidersAndScaleStandInTheBlackCornersOfASector() {
     window_->resize(1024, 640);
     QTest::qWait(80);
-    session().makePictureNow();
+    session().makeImageNow();
     const int beside_px = window_->scanView().width() - 88 - 64;
     QVERIFY2(fanWidth_px() > beside_px, qPrintable(QStringLiteral("%1 of %2").arg(fanWidth_px()).arg(beside_px)));
   }
@@ -221,8 +221,8 @@ class TraineeTest : public WindowFixture {
         window_->resize(size);
         session().console().chooseProbe(probe);
         QTest::qWait(30);
-        session().makePictureNow();
-        const QRect box = window_->scanView().pictureRect();
+        session().makeImageNow();
+        const QRect box = window_->scanView().imageRect();
         const Spans fan = session().seen().spans();
         const auto* column = find<QWidget>("dgcColumn");
         for (int n = 1; n <= kDgcSliders; ++n) {
@@ -284,27 +284,27 @@ class TraineeTest : public WindowFixture {
 
   void aDragMovesTheProbeUntilTheImageIsZoomedAndThenTheDetail() {
     ScanView& scan = window_->scanView();
-    const QPoint middle = scan.pictureRect().center();
+    const QPoint middle = scan.imageRect().center();
     Hold before = session().probeControl().hold();
     QCOMPARE(scan.cursor().shape(), Qt::SizeAllCursor);
     drag(&scan, middle, middle + QPoint(30, 0));
     QVERIFY(!(session().probeControl().hold() == before));
     for (int i = 0; i < 4; ++i) QTest::keyClick(&scan, Qt::Key_Z);
-    session().makePictureNow();
+    session().makeImageNow();
     QCOMPARE(scan.cursor().shape(), Qt::OpenHandCursor);
     before = session().probeControl().hold();
     const auto shownAt = [this](const QPoint& at) {
-      const QPointF pixel = QPointF(at - window_->scanView().pictureRect().topLeft()) * window_->devicePixelRatioF();
+      const QPointF pixel = QPointF(at - window_->scanView().imageRect().topLeft()) * window_->devicePixelRatioF();
       return session().geometry().probePoint_mm(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
     };
     const glm::dvec2 taken_mm = shownAt(middle);
     drag(&scan, middle, middle + QPoint(40, -24));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY2(session().probeControl().hold() == before, "the probe stays where it is");
     QVERIFY2(glm::distance(shownAt(middle + QPoint(40, -24)), taken_mm) < 1.5 * session().geometry().pixel_mm,
              "what was taken lies under the pointer");
     drag(&scan, middle, middle + QPoint(4000, 4000));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY2(fanWidth_px() > 0, "the fan cannot be dragged out of sight");
   }
 
@@ -331,7 +331,7 @@ class TraineeTest : public WindowFixture {
     window_->showStartPage();
     Q_EMIT find<StartPage>("startPage")->caseChosen(QString::fromStdString(window_->document().current()->folder.string()));
     QVERIFY(window_->scanView().isVisible());
-    QVERIFY(waitUntil([this] { return window_->isSettled(); }));  // the page's pictures may still be loading
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));  // the page's images may still be loading
     QVERIFY(session().subject()->voxels.volume() == volume && session().probeControl().hold() == moved);
   }
 
@@ -376,11 +376,11 @@ class TraineeTest : public WindowFixture {
     QCOMPARE(find<QLabel>("titleRemark")->text(), QStringLiteral("Test Person"));
   }
 
-  void aSavedPictureSaysWhichSideIsWhichAndWhoScanned() {
+  void aSavedImageSaysWhichSideIsWhichAndWhoScanned() {
     const QDateTime at(QDate(2026, 11, 23), QTime(3, 4));
     const auto marker = [&] {
-      const QImage saved = savedPicture(session(), at);
-      const int row = saved.height() - session().picture().height() - 32 - 7, left = (saved.width() - session().picture().width() - 56) / 2;
+      const QImage saved = savedImage(session(), at);
+      const int row = saved.height() - session().image().height() - 32 - 7, left = (saved.width() - session().image().width() - 56) / 2;
       int first = -1, last = -1;
       for (int x = 0; x < saved.width(); ++x)
         if (qGray(saved.pixel(x, row)) > 200) {
@@ -396,21 +396,21 @@ class TraineeTest : public WindowFixture {
     Knobs knobs = session().console().knobs();
     knobs.markerLeft = !knobs.markerLeft;
     session().console().setKnobs(knobs);
-    session().makePictureNow();
+    session().makeImageNow();
     const int after = marker();
     QVERIFY2(after >= 0 && (after < middle) != (before < middle), "it changes sides with the image");
-    OnPicture on;
+    OnImage on;
     on.person = QStringLiteral("Anna");
-    QVERIFY(savedPicture(session(), at, on) != savedPicture(session(), at));
+    QVERIFY(savedImage(session(), at, on) != savedImage(session(), at));
   }
 
-  void aSavedPictureHoldsThePictureItsScaleWhatItShowsAndTheWarning() {
-    const ImageView<const std::uint8_t> shown = session().picture().grey;
+  void aSavedImageHoldsTheImageItsScaleWhatItShowsAndTheWarning() {
+    const ImageView<const std::uint8_t> shown = session().image().grey;
     const QDateTime at(QDate(2026, 11, 23), QTime(3, 4));
-    const QImage saved = savedPicture(session(), at);
+    const QImage saved = savedImage(session(), at);
     QCOMPARE(saved.format(), QImage::Format_Grayscale8);
     QVERIFY(saved.width() > shown.width && saved.height() > shown.height);
-    // Somewhere in it the picture lies, pixel for pixel: found by its brightest row.
+    // Somewhere in it the image lies, pixel for pixel: found by its brightest row.
     const int left = (saved.width() - shown.width - 56) / 2;
     const int top = saved.height() - shown.height - 32;
     for (int y = 0; y < shown.height; ++y)
@@ -429,7 +429,7 @@ class TraineeTest : public WindowFixture {
     QVERIFY2(lit({left + shown.width, top, saved.width() - left - shown.width, shown.height}) > 100, "depth scale");
     // The words are the door's: only what leaves the program carries them, and all of it does.
     const QString file = files_.path(QStringLiteral("shown.png"));
-    QVERIFY(writeShownPictures({{&session(), {}, {}}}, 1, at, file.toStdString()).has_value());
+    QVERIFY(writeShownImages({{&session(), {}, {}}}, 1, at, file.toStdString()).has_value());
     const QImage written(file);
     QCOMPARE(written.size(), saved.size());
     int words = 0;
@@ -449,17 +449,17 @@ class TraineeTest : public WindowFixture {
     const QString folder = files_.writeCase(QStringLiteral("kept"));
     const auto opened = loadCase(folder.toStdString());
     QVERIFY(opened.has_value());
-    QImage picture(32, 20, QImage::Format_Grayscale8);
+    QImage image(32, 20, QImage::Format_Grayscale8);
     for (int y = 0; y < 20; ++y)
-      for (int x = 0; x < 32; ++x) picture.scanLine(y)[x] = static_cast<uchar>(7 * x + y);
-    QVERIFY(keptThumbnail(*opened, picture.size()).isNull());
-    keepThumbnail(*opened, picture);
-    QCOMPARE(keptThumbnail(*opened, picture.size()), picture);
+      for (int x = 0; x < 32; ++x) image.scanLine(y)[x] = static_cast<uchar>(7 * x + y);
+    QVERIFY(keptThumbnail(*opened, image.size()).isNull());
+    keepThumbnail(*opened, image);
+    QCOMPARE(keptThumbnail(*opened, image.size()), image);
     QVERIFY(keptThumbnail(*opened, QSize(16, 10)).isNull());
     auto edited = *opened;
     edited.history = "A longer history than before.";
     QVERIFY(saveCase(edited, folder.toStdString()).has_value());
-    QVERIFY2(keptThumbnail(edited, picture.size()).isNull(), "the case is not what was painted");
+    QVERIFY2(keptThumbnail(edited, image.size()).isNull(), "the case is not what was painted");
     cache.isNull() ? qunsetenv("ECHOWEAVE_CACHE") : qputenv("ECHOWEAVE_CACHE", cache);
   }
 

@@ -27,9 +27,9 @@ using annotation::AnnotationKind;
 class AnnotationsTest : public WindowFixture {
   Q_OBJECT
 
-  [[nodiscard]] AnnotatedPictures& annotated() const { return window_->annotated(); }
+  [[nodiscard]] ImageAnnotations& annotated() const { return window_->annotated(); }
   [[nodiscard]] AnnotationLayer& layer() const { return *window_->findChild<AnnotationLayer*>(); }
-  [[nodiscard]] ShownMark& mark() const { return window_->bodyMark(); }
+  [[nodiscard]] ImageBodyMark& mark() const { return window_->bodyMark(); }
   [[nodiscard]] ScanView& scan() const { return window_->scanView(); }
 
   void pressKey(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
@@ -39,11 +39,11 @@ class AnnotationsTest : public WindowFixture {
   void freeze() const {
     scan().setFocus();
     session().setFrozen(true);
-    session().makePictureNow();
+    session().makeImageNow();
   }
-  /// Where a point of the picture's plane is, on the scan view.
+  /// Where a point of the image's plane is, on the scan view.
   [[nodiscard]] QPoint at(const glm::dvec2& at_mm) const {
-    return (layer().placeOf(at_mm) + QPointF(scan().pictureRect().topLeft())).toPoint();
+    return (layer().placeOf(at_mm) + QPointF(scan().imageRect().topLeft())).toPoint();
   }
   void drag(const QPoint& from, const QPoint& to, QWidget* on = nullptr) const {
     QWidget* widget = on != nullptr ? on : &scan();
@@ -72,8 +72,8 @@ class AnnotationsTest : public WindowFixture {
     const glm::dvec3 marker(-std::cos(angle_rad), 0.0, std::sin(angle_rad)), beam(0.0, 1.0, 0.0);
     const Transform<frame::World, frame::Probe> probeToWorld{
         {glm::dvec4(marker, 0.0), glm::dvec4(beam, 0.0), glm::dvec4(glm::cross(marker, beam), 0.0), glm::dvec4(at_mm, 1.0)}};
-    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
-    session().makePictureNow();
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<PoseSample>{{0.0, {probeToWorld, PoseStatus::ok}}}));
+    session().makeImageNow();
   }
 
  private Q_SLOTS:
@@ -100,23 +100,23 @@ class AnnotationsTest : public WindowFixture {
     QVERIFY(!layer().isWriting());
     QCOMPARE(annotated().all().size(), std::size_t{1});
     QCOMPARE(QString::fromStdString(annotated().all()[0].text), QStringLiteral("RT KIDNEY long"));
-    const QRect picture = scan().pictureRect();
+    const QRect image = scan().imageRect();
     const glm::dvec2 share = annotated().home().share;
-    const QPointF home = QPointF(picture.topLeft()) + QPointF(share.x * picture.width(), share.y * picture.height());
-    const QPointF there = layer().placeOf(annotated().all()[0].at_mm) + QPointF(picture.topLeft());
+    const QPointF home = QPointF(image.topLeft()) + QPointF(share.x * image.width(), share.y * image.height());
+    const QPointF there = layer().placeOf(annotated().all()[0].at_mm) + QPointF(image.topLeft());
     QVERIFY(std::hypot(there.x() - home.x(), there.y() - home.y()) < 1.5);
     QVERIFY(layer().isVisible());
   }
 
   void aTextBeginsAtThePointerOverTheImage() {
     freeze();
-    const QPoint there = scan().pictureRect().center() + QPoint(30, 40);
+    const QPoint there = scan().imageRect().center() + QPoint(30, 40);
     QCursor::setPos(scan().mapToGlobal(there));
     QVERIFY(waitUntil([this] { return scan().underMouse(); }));
     pressKey(Qt::Key_T);
     QTest::keyClicks(&layer().field(), QStringLiteral("CYST"));
     pressKey(Qt::Key_Return);
-    const QPointF placed = layer().placeOf(annotated().all().at(0).at_mm) + QPointF(scan().pictureRect().topLeft());
+    const QPointF placed = layer().placeOf(annotated().all().at(0).at_mm) + QPointF(scan().imageRect().topLeft());
     QVERIFY(std::hypot(placed.x() - there.x(), placed.y() - there.y()) < 2.5);
   }
 
@@ -260,11 +260,11 @@ class AnnotationsTest : public WindowFixture {
     write({10.0, 70.0}, "LIVER");
     annotated().select(annotated().all()[0].number);
     layer().setHomeHere();
-    const QRect picture = scan().pictureRect();
+    const QRect image = scan().imageRect();
     const QPointF there = layer().placeOf({10.0, 70.0});
-    QVERIFY(std::abs(annotated().home().share.x - there.x() / picture.width()) < 0.01);
-    QVERIFY(std::abs(annotated().home().share.y - there.y() / picture.height()) < 0.01);
-    AnnotatedPictures later(session());
+    QVERIFY(std::abs(annotated().home().share.x - there.x() / image.width()) < 0.01);
+    QVERIFY(std::abs(annotated().home().share.y - there.y() / image.height()) < 0.01);
+    ImageAnnotations later(session());
     QVERIFY(later.home() == annotated().home());
   }
 
@@ -310,27 +310,27 @@ class AnnotationsTest : public WindowFixture {
     session().probeControl().follow(nullptr);
   }
 
-  void savedPictureCarriesTextsArrowsAndMark() {
+  void savedImageCarriesTextsArrowsAndMark() {
     scanFrom({0.0, -95.0, -60.0}, 0.0);
     freeze();
     const QDateTime when(QDate(2026, 1, 2), QTime(3, 4));
-    const QImage bare = savedPicture(session(), when);
+    const QImage bare = savedImage(session(), when);
     const auto changedIn = [&](const QImage& image, const QRect& where) {
       int changed = 0;
       for (int y = where.top(); y <= where.bottom(); ++y)
         for (int x = where.left(); x <= where.right(); ++x) changed += image.pixel(x, y) != bare.pixel(x, y) ? 1 : 0;
       return changed;
     };
-    const QImage marked = savedPicture(session(), when, {nullptr, nullptr, &mark()});
+    const QImage marked = savedImage(session(), when, {nullptr, nullptr, &mark()});
     QCOMPARE(marked.size(), bare.size());
     QVERIFY(changedIn(marked, marked.rect()) > 500);
     QCOMPARE(changedIn(marked, QRect(0, 0, marked.width(), marked.height() / 2)), 0);  // it lies in the lower left corner
     write({0.0, 40.0}, "LIVER");
     annotated().change([](annotation::AnnotationList& list) { list.addArrow({-30.0, 60.0}, {-10.0, 50.0}); });
-    const QImage written = savedPicture(session(), when, {nullptr, &annotated(), nullptr});
+    const QImage written = savedImage(session(), when, {nullptr, &annotated(), nullptr});
     QCOMPARE(written.size(), bare.size());
     QVERIFY(changedIn(written, written.rect()) > 300);
-    QVERIFY(savedPicture(session(), when, {nullptr, &annotated(), &mark()}) != written);
+    QVERIFY(savedImage(session(), when, {nullptr, &annotated(), &mark()}) != written);
     session().probeControl().follow(nullptr);
   }
 
@@ -348,7 +348,7 @@ class AnnotationsTest : public WindowFixture {
     QCOMPARE(session().console().depth_mm(), 140.0);
     QVERIFY(session().console().knobs().quality == Quality::cubic);
     QCOMPARE(QString::fromStdString(annotated().wordList()->id), QStringLiteral("vessels"));
-    session().makePictureNow();
+    session().makeImageNow();
     QCOMPARE(QString::fromStdString(mark().mark()->id), QStringLiteral("aorta"));
     // A machine refuses settings while its image stands.
     session().setFrozen(true);

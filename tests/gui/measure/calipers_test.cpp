@@ -54,7 +54,7 @@ class CalipersTest : public WindowFixture {
     QVERIFY(layer().isVisible());
   }
 
-  /// The plane of four or two points, their middle at the given depth; not turned, the first two lie along the rows of the picture.
+  /// The plane of four or two points, their middle at the given depth; not turned, the first two lie along the rows of the image.
   struct Placed {
     Transform<frame::World, frame::Probe> probeToWorld;
     std::vector<glm::dvec2> points_mm;  ///< in the plane
@@ -75,10 +75,10 @@ class CalipersTest : public WindowFixture {
   }
 
   /// @param mostPixels that both ends of a line can be off along it, each on the middle of the pixel nearest to its place
-  void measureExpected(const ExpectedMeasurement& expected, const Placed& at, double mostPixels) const {
+  void measureExpected(const ReferenceMeasurement& expected, const Placed& at, double mostPixels) const {
     session().setFrozen(false);
-    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {at.probeToWorld, PoseStatus::ok}}}));
-    session().makePictureNow();
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<PoseSample>{{0.0, {at.probeToWorld, PoseStatus::ok}}}));
+    session().makeImageNow();
     const bool isEllipse = at.points_mm.size() == 4;
     take(isEllipse ? Qt::Key_7 : Qt::Key_4);
     QVERIFY(session().isFrozen());
@@ -146,7 +146,7 @@ class CalipersTest : public WindowFixture {
       if (shipped.measurements.empty()) continue;
       const auto truth = loadCaseTruth(shipped, noProgress());
       QVERIFY2(truth.has_value(), shipped.id.c_str());
-      for (const ExpectedMeasurement& expected : truth->measurements) {
+      for (const ReferenceMeasurement& expected : truth->measurements) {
         if (expected.points_mm.size() != 2 && expected.points_mm.size() != 4) continue;  // volumes
         for (const double turn : {0.0, 0.5}) {
           measureExpected(expected, placed(expected.points_mm, 75.0, turn), std::abs(std::cos(turn)) + std::abs(std::sin(turn)));
@@ -185,8 +185,7 @@ class CalipersTest : public WindowFixture {
     const QPoint pixelBefore = pixelOf(before[1]);
     const double uncertainty = last().measured.figures[0].quantity.uncertainty, pixelWas_mm = pixel_mm();
     window_->resize(1040, 660);
-    QVERIFY(
-        waitUntil([&] { return std::abs(pixel_mm() - pixelWas_mm) > 1e-3 && layer().geometry() == window_->scanView().pictureRect(); }));
+    QVERIFY(waitUntil([&] { return std::abs(pixel_mm() - pixelWas_mm) > 1e-3 && layer().geometry() == window_->scanView().imageRect(); }));
     QCOMPARE(pointsOf(0), before);
     QVERIFY(pixelOf(before[1]) != pixelBefore);
     const Point<frame::Probe> there = window_->scanView().pointAt(window_->scanView().positionOf({{20.0, 90.0, 0.0}}));
@@ -220,7 +219,7 @@ class CalipersTest : public WindowFixture {
   void eachImageOfTheCineLoopKeepsItsOwn() {
     for (int n = 0; n < 6; ++n) {
       session().probeControl().setHold(turned(session().probeControl().hold(), 0.0, 0.0, 0.02));
-      session().makePictureNow();
+      session().makeImageNow();
     }
     take(Qt::Key_4);
     click({-20.0, 60.0});
@@ -331,22 +330,22 @@ class CalipersTest : public WindowFixture {
     QCOMPARE(count(), std::size_t{0});
   }
 
-  void savedPictureCarriesTheCalipersAndTheirResults() {
+  void savedImageCarriesTheCalipersAndTheirResults() {
     take(Qt::Key_4);
     const QDateTime at(QDate(2026, 1, 2), QTime(3, 4));
-    const QImage bare = savedPicture(session(), at, &calipers());
-    QCOMPARE(bare, savedPicture(session(), at));
+    const QImage bare = savedImage(session(), at, &calipers());
+    QCOMPARE(bare, savedImage(session(), at));
     click({-20.0, 60.0});
     click({20.0, 60.0});
-    const QImage saved = savedPicture(session(), at, &calipers());
+    const QImage saved = savedImage(session(), at, &calipers());
     QVERIFY(saved.height() > bare.height());
-    // White where the ends are crossed, right of the margin that centres the picture.
+    // White where the ends are crossed, right of the margin that centres the image.
     const int left = (saved.width() - 56 - session().geometry().width) / 2, top = 58;
     const glm::dvec2 end = pointsOf(0)[1];
     const QPoint pixel = pixelOf(end) + QPoint(left, top);
     QVERIFY2(qGray(saved.pixel(pixel)) > 230, qPrintable(QString::number(qGray(saved.pixel(pixel)))));
     const QString file = files_.path(QStringLiteral("measured.png"));
-    QVERIFY(writeShownPictures({{&session(), &calipers(), {}}}, 1, at, file.toStdString()).has_value());
+    QVERIFY(writeShownImages({{&session(), &calipers(), {}}}, 1, at, file.toStdString()).has_value());
     QVERIFY(QImage(file).size() == saved.size());
   }
 
@@ -361,9 +360,9 @@ class CalipersTest : public WindowFixture {
     draw(50.0);
     QCOMPARE(count(), std::size_t{2});
     QCOMPARE(unsaved(), std::size_t{2});
-    const auto picture = *calipers().picture();
-    calipers().combine(measurement::CombinationKind::ratio, {{picture, calipers().lines()[0].measurement.number, FigureKind::length},
-                                                             {picture, calipers().lines()[1].measurement.number, FigureKind::length}});
+    const auto image = *calipers().image();
+    calipers().combine(measurement::CombinationKind::ratio, {{image, calipers().lines()[0].measurement.number, FigureKind::length},
+                                                             {image, calipers().lines()[1].measurement.number, FigureKind::length}});
     QCOMPARE(unsaved(), std::size_t{3});
     {
       const Answers answers({{QStringLiteral("fileDialog"), testing::type(files_.path(QStringLiteral("measured.csv")))}});
@@ -380,7 +379,7 @@ class CalipersTest : public WindowFixture {
     QCOMPARE(count(), std::size_t{3});
     QCOMPARE(unsaved(), std::size_t{0});
     QVERIFY(window_->worksheets().unsaved() != nullptr);
-    calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) { drawing.take(CaliperKind::distance, {}); });
+    calipers().changeIn(Where::image, [](measurement::CaliperDrawing& drawing) { drawing.take(CaliperKind::distance, {}); });
     draw(70.0);
     QCOMPARE(count(), std::size_t{4});
     QCOMPARE(unsaved(), std::size_t{1});
@@ -395,7 +394,7 @@ class CalipersTest : public WindowFixture {
     Knobs knobs = session().console().knobs();
     knobs.mode = DisplayMode::mMode;
     session().console().setKnobs(knobs);
-    session().makePictureNow();
+    session().makeImageNow();
     pressKey(Qt::Key_4);
     QCOMPARE(calipers().drawing().tool(), std::optional(CaliperKind::depthDistance));
     pressKey(Qt::Key_9);

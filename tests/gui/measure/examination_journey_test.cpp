@@ -1,5 +1,5 @@
 // Whole examinations of shipped cases as a person does them: planes found, calipers set, images stored, worksheets saved as a report.
-// EW_SCREENSHOTS=FOLDER keeps pictures of the window. Cases that are not prepared are skipped.
+// EW_SCREENSHOTS=FOLDER keeps images of the window. Cases that are not prepared are skipped.
 #include <QComboBox>
 #include <QDir>
 #include <QLineEdit>
@@ -51,20 +51,20 @@ class ExaminationJourneyTest : public WindowFixture {
     }
     QFAIL("no such case");
   }
-  [[nodiscard]] const ExpectedMeasurement& expected(const char* name) const {
-    static const ExpectedMeasurement none;
-    for (const ExpectedMeasurement& each : truth_.measurements)
+  [[nodiscard]] const ReferenceMeasurement& expected(const char* name) const {
+    static const ReferenceMeasurement none;
+    for (const ReferenceMeasurement& each : truth_.measurements)
       if (each.name == name) return each;
     return none;
   }
   void holdIn(const Transform<frame::World, frame::Probe>& probeToWorld) {
     session().setFrozen(false);
     probeToWorld_ = probeToWorld;
-    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
-    session().makePictureNow();
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<PoseSample>{{0.0, {probeToWorld, PoseStatus::ok}}}));
+    session().makeImageNow();
   }
   void findPlane(const std::string& name) {
-    for (const ExpectedPlane& plane : truth_.planes)
+    for (const ReferencePlane& plane : truth_.planes)
       if (plane.name == name) return holdIn(plane.probeToWorld);
     QFAIL(("no plane " + name).c_str());
   }
@@ -75,7 +75,7 @@ class ExaminationJourneyTest : public WindowFixture {
   }
   void clickAt(const glm::dvec2& at_mm) const {
     const QPointF at = layer().placeOf(at_mm);
-    QVERIFY2(layer().rect().contains(at.toPoint()), "the place is not in the picture");
+    QVERIFY2(layer().rect().contains(at.toPoint()), "the place is not in the image");
     QTest::mouseClick(&layer(), Qt::LeftButton, Qt::NoModifier, QPoint(static_cast<int>(at.x()), static_cast<int>(at.y())));
   }
   /// Where a point of the world lies in the plane that is seen.
@@ -96,7 +96,7 @@ class ExaminationJourneyTest : public WindowFixture {
     for (std::size_t n = 0; n < clicks; ++n) clickAt(inPlane(points_mm[n]));
     if (calipers().drawing().tool()) QTest::keyClick(&layer(), Qt::Key_Escape);
   }
-  void measureItem(const QString& title, const ExpectedMeasurement& truth) {
+  void measureItem(const QString& title, const ReferenceMeasurement& truth) {
     setCalipers(title, truth.points_mm);
     if (QTest::currentTestFailed()) return;
     const double read = calipers().lines().back().measured.figures.front().quantity.value;
@@ -138,14 +138,14 @@ class ExaminationJourneyTest : public WindowFixture {
     for (const auto& [plane, name] :
          {std::pair{"transthalamic", "head circumference"}, std::pair{"abdominal circumference", "abdominal circumference"}}) {
       findPlane(plane);
-      const ExpectedMeasurement& truth = expected(name);
+      const ReferenceMeasurement& truth = expected(name);
       QCOMPARE(truth.points_mm.size(), std::size_t{4});
       const glm::dvec2 a = inPlane(truth.points_mm[0]), b = inPlane(truth.points_mm[1]), c = inPlane(truth.points_mm[2]),
                        d = inPlane(truth.points_mm[3]);
       for (const bool traced : {false, true}) {
         for (unsigned seed = 1; seed <= 4; ++seed) {
           session().setFrozen(false);
-          session().makePictureNow();
+          session().makeImageNow();
           calipers().setFollowsEdges(true);
           QTest::keyClick(&window_->scanView(), traced ? Qt::Key_6 : Qt::Key_8);
           QVERIFY(session().isFrozen());
@@ -229,7 +229,7 @@ class ExaminationJourneyTest : public WindowFixture {
     choosePackage("vessel");
     findPlane("along the carotid fork");
     const auto right = probeToWorld_;
-    const std::pair<QString, const ExpectedMeasurement&> items[] = {
+    const std::pair<QString, const ReferenceMeasurement&> items[] = {
         {QStringLiteral("Narrowest lumen, diameter"), expected("right carotid bulb, free lumen at the plaque")},
         {QStringLiteral("Vessel at the stenosis, original diameter"), expected("right carotid bulb, between its walls")},
         {QStringLiteral("Lumen beyond the stenosis, diameter"), expected("right common carotid artery, lumen 10 mm below the fork")}};
@@ -238,15 +238,15 @@ class ExaminationJourneyTest : public WindowFixture {
       if (QTest::currentTestFailed()) return;
     }
     QTest::keyClick(&window_->scanView(), Qt::Key_M, Qt::ShiftModifier);
-    QCOMPARE(window_->pictures().count(), 2);
+    QCOMPARE(window_->images().count(), 2);
     QTest::keyClick(&window_->scanView(), Qt::Key_L, Qt::ShiftModifier);
-    QCOMPARE(window_->pictures().active(), 1);
+    QCOMPARE(window_->images().active(), 1);
     holdIn(mirrored(right));
     for (const auto& [title, truth] : items) {
       setCalipers(title + QStringLiteral(", left"), mirrored(truth.points_mm));
       if (QTest::currentTestFailed()) return;
     }
-    const auto shown = window_->pictures().shown();
+    const auto shown = window_->images().shown();
     QCOMPARE(shown.size(), std::size_t{2});
     QVERIFY(shown[0].side == BodySide::right && shown[1].side == BodySide::left);
     QCOMPARE(worksheets().current()->of("D_MIN", "right").size(), std::size_t{1});

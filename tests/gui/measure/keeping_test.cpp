@@ -67,7 +67,7 @@ void record(MainWindow& window) {
   waitUntil(
       [&] {
         window.session().frames().ask();
-        window.session().makePictureNow();
+        window.session().makeImageNow();
         return framesKept() >= kFrames;
       },
       4.0 * test::kPatience_ms);
@@ -76,7 +76,7 @@ void record(MainWindow& window) {
 void measure(MainWindow& window) {
   window.worksheets().choose(kPackage);
   window.worksheets().measure("AORTA", "");
-  window.calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) {
+  window.calipers().changeIn(Where::image, [](measurement::CaliperDrawing& drawing) {
     for (const glm::dvec2 at : {glm::dvec2(-8.0, 50.0), glm::dvec2(9.0, 50.0)}) {
       drawing.press(at, 1.0);
       drawing.release(at, 1.0);
@@ -262,7 +262,7 @@ class KeepingTest : public WindowFixture {
     QVERIFY(std::abs(values[0].value - 1.7) < 1e-9 || std::abs(values[0].value - 17.0) < 1e-9);
     QVERIFY(values[0].uncertainty > 0.0);
     QCOMPARE(window_->calipers().lines().size(), std::size_t{1});
-    QVERIFY2(window_->calipers().drawingIn(Where::picture).shown().all.size() == 1, "on its image");
+    QVERIFY2(window_->calipers().drawingIn(Where::image).shown().all.size() == 1, "on its image");
     // Killed again without a decision, it would be offered again; discarded, it goes.
     {
       Answers answers({{QStringLiteral("unsavedWorksheetQuestion"), press(QMessageBox::Discard)},

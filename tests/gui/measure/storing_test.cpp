@@ -101,7 +101,7 @@ class StoringTest : public WindowFixture {
     QFile::remove(stored());
   }
 
-  void aStoredImageIsThePictureThatWasShown() {
+  void aStoredImageIsTheImageThatWasShown() {
     session().setFrozen(true);
     storeImage();
     QVERIFY2(window_->scanView().said().contains(QLatin1String("stored")), qPrintable(window_->scanView().said()));
@@ -122,8 +122,8 @@ class StoringTest : public WindowFixture {
   void savedAsFilesItHasItsScaleAndItsWords() {
     session().setFrozen(true);
     storeImage();
-    const std::vector<SavedPart> shown{{&session(), {}, {}, true}};
-    const Still expected = storedStill(shown, savedPictures(shown, 1, QDateTime::currentDateTime()), 1, {}).still;
+    const std::vector<SnapshotPart> shown{{&session(), {}, {}, true}};
+    const Still expected = storedStill(shown, savedImages(shown, 1, QDateTime::currentDateTime()), 1, {}).still;
     const QString folder = files_.path(QStringLiteral("saved"));
     QDir(folder).removeRecursively();
     QDir().mkpath(folder);
@@ -211,7 +211,7 @@ class StoringTest : public WindowFixture {
     storeImage();
     QCOMPARE(window_->stored().items().size(), std::size_t{3});  // the same patient, and the same examination
     QCOMPARE(window_->stored().items().back().still.options.number, 3);
-    QCOMPARE(window_->stored().files(DicomStudy(), QDateTime::currentDateTime()).pictures.size(), std::size_t{3});
+    QCOMPARE(window_->stored().files(DicomStudy(), QDateTime::currentDateTime()).images.size(), std::size_t{3});
     QCOMPARE(QSettings().value(QStringLiteral("open/last")).toString(), copy);
     QVERIFY(hasImagesAtItsNextStart(copy, 3));
     QVERIFY2(hasImagesAtItsNextStart(original, 2), "those that were taken of it");
@@ -312,7 +312,7 @@ class StoringTest : public WindowFixture {
     storeImage();
     window_->worksheets().choose("abdomen");
     window_->worksheets().measure("AORTA", "");
-    window_->calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) {
+    window_->calipers().changeIn(Where::image, [](measurement::CaliperDrawing& drawing) {
       for (const glm::dvec2 at : {glm::dvec2(-17.0, 50.0), glm::dvec2(16.0, 50.0)}) {
         drawing.press(at, 1.0);
         drawing.release(at, 1.0);
@@ -447,7 +447,7 @@ class StoringTest : public WindowFixture {
   void aClipLeavesAsFilmAndAsDicom() {
     for (int n = 0; n < 5; ++n) {
       session().frames().ask();
-      session().makePictureNow();
+      session().makeImageNow();
       QTest::qWait(20);
     }
     session().setFrozen(true);
@@ -466,15 +466,15 @@ class StoringTest : public WindowFixture {
     storeImage();
     measurement::Worksheet sheet;
     sheet.title.english = "Sheet";
-    const QImage picture = withWarning(savedPicture(session(), QDateTime::currentDateTime()));
-    QVERIFY(picture != savedPicture(session(), QDateTime::currentDateTime()));
+    const QImage image = withWarning(savedImage(session(), QDateTime::currentDateTime()));
+    QVERIFY(image != savedImage(session(), QDateTime::currentDateTime()));
     const auto size = [&](const char* name, const std::vector<WorksheetImage>& images) {
       const QString file = files_.path(QLatin1String(name));
       return writeWorksheet(sheet, QStringLiteral("Case"), QDateTime::currentDateTime(), file.toStdString(), images)
                  ? QFileInfo(file).size()
                  : qint64{0};
     };
-    QVERIFY(size("with.pdf", {{picture, QStringLiteral("one")}, {picture, QStringLiteral("two")}}) > size("without.pdf", {}) + 20000);
+    QVERIFY(size("with.pdf", {{image, QStringLiteral("one")}, {image, QStringLiteral("two")}}) > size("without.pdf", {}) + 20000);
   }
 };
 

@@ -1,4 +1,4 @@
-// Calipers in the strip of the M-mode, results over several pictures, and what points snap to: by scripted clicks, as a person measures.
+// Calipers in the strip of the M-mode, results over several images, and what points snap to: by scripted clicks, as a person measures.
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,7 +28,7 @@ class StripCalipersTest : public WindowFixture {
 
   [[nodiscard]] Calipers& calipers() const { return window_->calipers(); }
   [[nodiscard]] CaliperLayer& layer(const char* name) const { return *find<CaliperLayer>(name); }
-  [[nodiscard]] CaliperLayer& picture() const { return layer("caliperLayer"); }
+  [[nodiscard]] CaliperLayer& image() const { return layer("caliperLayer"); }
   [[nodiscard]] CaliperLayer& strip() const { return layer("stripCaliperLayer"); }
   [[nodiscard]] const Calipers::Line& last() const { return calipers().lines().back(); }
   [[nodiscard]] double value(FigureKind kind) const { return last().measured.figure(kind)->quantity.value; }
@@ -40,9 +40,9 @@ class StripCalipersTest : public WindowFixture {
   void click(CaliperLayer& on, const QPoint& at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
     QTest::mouseClick(&on, Qt::LeftButton, modifiers, at);
   }
-  void clickPicture(const glm::dvec2& at_mm) const {
-    const QPointF at = picture().placeOf(at_mm);
-    click(picture(), {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))});
+  void clickImage(const glm::dvec2& at_mm) const {
+    const QPointF at = image().placeOf(at_mm);
+    click(image(), {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))});
   }
   void move(CaliperLayer& over, const QPoint& to, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const {
     QMouseEvent event(QEvent::MouseMove, QPointF(to), QPointF(over.mapToGlobal(to)), Qt::NoButton, Qt::NoButton, modifiers);
@@ -70,7 +70,7 @@ class StripCalipersTest : public WindowFixture {
     knobs.mode = DisplayMode::both;
     knobs.depth_mm = 60.0;
     session().console().setKnobs(knobs);
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(calipers().hasStrip());
   }
   /// Until the strip shows so much. @return the columns drawn since
@@ -142,9 +142,9 @@ class StripCalipersTest : public WindowFixture {
     QVERIFY(std::abs(value(FigureKind::heartRate) - rate / 3.0) < 1e-9);
     pressKey(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(std::abs(value(FigureKind::heartRate) - rate) < 1e-9);
-    // The picture that is saved shows picture, strip, and the results below them.
+    // The image that is saved shows image, strip, and the results below them.
     const QDateTime at(QDate(2026, 1, 2), QTime(3, 4));
-    QVERIFY(savedPicture(session(), at, &calipers()).height() > 2 * session().seen().strip().height + 40);
+    QVERIFY(savedImage(session(), at, &calipers()).height() > 2 * session().seen().strip().height + 40);
   }
 
   void timeSlopeAndDepthAreThoseOfTheClicks() {
@@ -189,10 +189,10 @@ class StripCalipersTest : public WindowFixture {
     scanFor(1.0);
     pressKey(Qt::Key_4);
     QVERIFY(session().isFrozen());
-    clickPicture({-10.0, 30.0});
-    clickPicture({10.0, 30.0});
+    clickImage({-10.0, 30.0});
+    clickImage({10.0, 30.0});
     QVERIFY(std::abs(value(FigureKind::length) - 20.0) <= session().geometry().pixel_mm);
-    QVERIFY(last().where == Where::picture);
+    QVERIFY(last().where == Where::image);
     const int newest = (session().seen().stripCursor() + session().seen().strip().width - 1) % session().seen().strip().width;
     click(strip(), {newest - 10, 20});
     click(strip(), {newest - 5, 80});
@@ -203,7 +203,7 @@ class StripCalipersTest : public WindowFixture {
     click(strip(), {newest - 60, 50});  // away from the crosses
     QVERIFY2(window_->scanView().said().contains(QLatin1String("in the image")), qPrintable(window_->scanView().said()));
     pressKey(Qt::Key_7, Qt::AltModifier);
-    clickPicture({0.0, 20.0});
+    clickImage({0.0, 20.0});
     QVERIFY2(window_->scanView().said().contains(QLatin1String("in the strip")), qPrintable(window_->scanView().said()));
     QCOMPARE(calipers().lines().size(), std::size_t{2});
     // Nothing is drawn in the seam.
@@ -227,7 +227,7 @@ class StripCalipersTest : public WindowFixture {
     const glm::dvec2 point = last().measurement.caliper.parts[0].points[0];
     const QPointF place = strip().placeOf(point);
     session().frames().ask();
-    session().makePictureNow();
+    session().makeImageNow();
     if (!last().hasLeft) QCOMPARE(strip().placeOf(point), place);
     QVERIFY(waitUntil([this] { return last().hasLeft; }));
     QCOMPARE(value(FigureKind::duration), duration_s);
@@ -248,17 +248,17 @@ class StripCalipersTest : public WindowFixture {
 
   void ratioAndVolumeAreOfMeasurementsOfSeveralImages() {
     pressKey(Qt::Key_4);
-    clickPicture({-15.0, 60.0});
-    clickPicture({15.0, 60.0});
-    clickPicture({-30.0, 90.0});
-    clickPicture({30.0, 90.0});
+    clickImage({-15.0, 60.0});
+    clickImage({15.0, 60.0});
+    clickImage({-30.0, 90.0});
+    clickImage({30.0, 90.0});
     pressKey(Qt::Key_Space);  // on to another plane; its calipers go, what was measured stays
     session().probeControl().setHold(turned(session().probeControl().hold(), 0.0, 0.0, 0.05));
-    session().makePictureNow();
+    session().makeImageNow();
     QCOMPARE(calipers().lines().size(), std::size_t{0});
     pressKey(Qt::Key_4);
-    clickPicture({0.0, 50.0});
-    clickPicture({0.0, 90.0});
+    clickImage({0.0, 50.0});
+    clickImage({0.0, 90.0});
     pressKey(Qt::Key_E, Qt::ControlModifier);
     auto* dialog = find<CombineDialog>("combineDialog");
     QVERIFY(dialog != nullptr && dialog->isVisible());
@@ -291,12 +291,12 @@ class StripCalipersTest : public WindowFixture {
     QVERIFY(lines[0]->accessibleName().startsWith(QLatin1String("R1 ")) && lines[0]->accessibleName().contains(QLatin1Char('%')));
     // It follows the caliper that is moved.
     const double before = result(1)->quantity.value;
-    const QPointF from = picture().placeOf({0.0, 90.0});
-    QTest::mousePress(&picture(), Qt::LeftButton, Qt::NoModifier, from.toPoint());
-    QMouseEvent moved(QEvent::MouseMove, from + QPointF(0, 20), QPointF(picture().mapToGlobal((from + QPointF(0, 20)).toPoint())),
+    const QPointF from = image().placeOf({0.0, 90.0});
+    QTest::mousePress(&image(), Qt::LeftButton, Qt::NoModifier, from.toPoint());
+    QMouseEvent moved(QEvent::MouseMove, from + QPointF(0, 20), QPointF(image().mapToGlobal((from + QPointF(0, 20)).toPoint())),
                       Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&picture(), &moved);
-    QTest::mouseRelease(&picture(), Qt::LeftButton, Qt::NoModifier, (from + QPointF(0, 20)).toPoint());
+    QApplication::sendEvent(&image(), &moved);
+    QTest::mouseRelease(&image(), Qt::LeftButton, Qt::NoModifier, (from + QPointF(0, 20)).toPoint());
     QVERIFY(result(1)->quantity.value > before);
     // All of it is written.
     const QString file = files_.path(QStringLiteral("measured.csv"));
@@ -314,7 +314,7 @@ class StripCalipersTest : public WindowFixture {
     QApplication::setActiveWindow(window_.get());
     window_->scanView().setFocus();
     pressKey(Qt::Key_9);
-    for (const glm::dvec2 at : {glm::dvec2(20.0, 40.0), glm::dvec2(20.0, 60.0), glm::dvec2(40.0, 60.0)}) clickPicture(at);
+    for (const glm::dvec2 at : {glm::dvec2(20.0, 40.0), glm::dvec2(20.0, 60.0), glm::dvec2(40.0, 60.0)}) clickImage(at);
     choose(CombinationKind::ratio, {0, 3});
     QVERIFY2(dialog->findChild<QLabel*>(QStringLiteral("combinedHow"))->text().contains(QLatin1String("one kind")),
              qPrintable(dialog->findChild<QLabel*>(QStringLiteral("combinedHow"))->text()));
@@ -326,8 +326,8 @@ class StripCalipersTest : public WindowFixture {
     QCOMPARE(calipers().drawing().tool(), std::optional(CaliperKind::discs));
     for (const glm::dvec2 at : {glm::dvec2(-30.0, 70.0), glm::dvec2(30.0, 70.0), glm::dvec2(-30.0, 60.0), glm::dvec2(30.0, 60.0),
                                 glm::dvec2(30.0, 80.0), glm::dvec2(-30.0, 80.0)})
-      clickPicture(at);
-    clickPicture({-30.0, 60.0});
+      clickImage(at);
+    clickImage({-30.0, 60.0});
     QCOMPARE(calipers().lines().size(), std::size_t{1});
     const double truth_ml = 3.14159265 * 100.0 * 60.0 * 1e-3;
     QVERIFY2(std::abs(value(FigureKind::volume) - truth_ml) <= 0.08 * truth_ml, qPrintable(QString::number(value(FigureKind::volume))));
@@ -338,33 +338,33 @@ class StripCalipersTest : public WindowFixture {
     auto* box = find<QCheckBox>("snapPoints");
     QVERIFY(!box->isChecked());
     pressKey(Qt::Key_4);
-    clickPicture({-20.0, 60.0});
-    clickPicture({20.0, 70.0});
+    clickImage({-20.0, 60.0});
+    clickImage({20.0, 70.0});
     pressKey(Qt::Key_M, Qt::ControlModifier);
     QVERIFY(box->isChecked() && calipers().snaps());
-    const QPoint cross = picture().placeOf({20.0, 70.0}).toPoint();
-    const QImage without = picture().grab().toImage();
-    move(picture(), cross + QPoint(5, 3));
-    QVERIFY(picture().snap().kind == measurement::SnapKind::point);
-    QCOMPARE(picture().snap().number, 1);
-    QVERIFY2(picture().grab().toImage() != without, "a mark and a word");
+    const QPoint cross = image().placeOf({20.0, 70.0}).toPoint();
+    const QImage without = image().grab().toImage();
+    move(image(), cross + QPoint(5, 3));
+    QVERIFY(image().snap().kind == measurement::SnapKind::point);
+    QCOMPARE(image().snap().number, 1);
+    QVERIFY2(image().grab().toImage() != without, "a mark and a word");
     const glm::dvec2 end = calipers().lines()[0].measurement.caliper.parts[0].points[1];
-    QCOMPARE(picture().snap().at, end);
+    QCOMPARE(image().snap().at, end);
     // The first point is level with nothing; the second may be with the first. Ctrl: for once not.
-    clickPicture({-40.0, 100.0});
+    clickImage({-40.0, 100.0});
     const glm::dvec2 first = calipers().drawing().points().front();
-    const QPoint level = picture().placeOf({first.x + 35.0, first.y}).toPoint() + QPoint(0, 1);
-    move(picture(), level);
-    if (picture().snap().kind != measurement::SnapKind::edge) QVERIFY(picture().snap().kind == measurement::SnapKind::horizontal);
-    const glm::dvec2 shown = picture().snap().at;
-    move(picture(), level, Qt::ControlModifier);
-    QVERIFY(picture().snap().kind == measurement::SnapKind::none);
-    click(picture(), level);
+    const QPoint level = image().placeOf({first.x + 35.0, first.y}).toPoint() + QPoint(0, 1);
+    move(image(), level);
+    if (image().snap().kind != measurement::SnapKind::edge) QVERIFY(image().snap().kind == measurement::SnapKind::horizontal);
+    const glm::dvec2 shown = image().snap().at;
+    move(image(), level, Qt::ControlModifier);
+    QVERIFY(image().snap().kind == measurement::SnapKind::none);
+    click(image(), level);
     QCOMPARE(last().measurement.caliper.parts[0].points[1], shown);
     pressKey(Qt::Key_M, Qt::ControlModifier);
     QVERIFY(!calipers().snaps());
-    move(picture(), cross + QPoint(5, 3));
-    QVERIFY(picture().snap().kind == measurement::SnapKind::none);
+    move(image(), cross + QPoint(5, 3));
+    QVERIFY(image().snap().kind == measurement::SnapKind::none);
     box->click();
     QVERIFY(QSettings().value(QStringLiteral("calipersSnap")).toBool());
   }

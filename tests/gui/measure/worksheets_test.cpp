@@ -71,7 +71,7 @@ class WorksheetsTest : public WindowFixture {
   }
   void cleanup() { window_.reset(); }
 
-  void anExaminationIsFilledOverSeveralPictures() {
+  void anExaminationIsFilledOverSeveralImages() {
     QVERIFY(items().isEmpty());
     choosePackage("obstetric");
     QCOMPARE(items().size(), 10);
@@ -79,7 +79,7 @@ class WorksheetsTest : public WindowFixture {
     QCOMPARE(calipers().lines().size(), std::size_t{1});
     QCOMPARE(worksheets().current()->of("BPD", "").size(), std::size_t{1});
     QCOMPARE(calipers().lines()[0].measurement.item, std::string("BPD"));
-    // Another picture: calipers go, what they gave stays.
+    // Another image: calipers go, what they gave stays.
     session().setFrozen(false);
     QCOMPARE(calipers().lines().size(), std::size_t{0});
     QCOMPARE(worksheets().current()->of("BPD", "").size(), std::size_t{1});
@@ -187,7 +187,7 @@ class WorksheetsTest : public WindowFixture {
     choosePackage("abdomen");
     session().setFrozen(true);
     worksheets().measure("AORTA", "");
-    calipers().changeIn(Where::picture, [](measurement::CaliperDrawing& drawing) {
+    calipers().changeIn(Where::image, [](measurement::CaliperDrawing& drawing) {
       for (const glm::dvec2 at : {glm::dvec2(-17.0, 50.0), glm::dvec2(16.0, 50.0)}) {
         drawing.press(at, 1.0);
         drawing.release(at, 1.0);

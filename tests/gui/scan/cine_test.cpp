@@ -31,11 +31,11 @@ class CineTest : public ConsoleFixture {
   }
   void watchLive() {
     seen_.clear();
-    look_ = connect(&session(), &Session::pictureChanged, this, [this] {
+    look_ = connect(&session(), &Session::imageChanged, this, [this] {
       if (!session().isFrozen() && !session().isPlaying()) seen_.push_back({everythingSeen(), session().shownState()});
     });
   }
-  /// Picture and, where there is one, strip.
+  /// Image and, where there is one, strip.
   [[nodiscard]] std::vector<std::uint8_t> everythingSeen() const {
     std::vector<std::uint8_t> pixels = pixelsOf(session());
     const ImageView<const std::uint8_t> strip = session().seen().strip();
@@ -46,7 +46,7 @@ class CineTest : public ConsoleFixture {
   void scanForAWhile(int frames) const {
     for (int n = 0; n < frames; ++n) {
       session().probeControl().setHold(turned(session().probeControl().hold(), 0.01, 0.0, n % 2 == 0 ? 0.02 : 0.01));
-      session().makePictureNow();
+      session().makeImageNow();
       QTest::qWait(2);
     }
   }
@@ -72,7 +72,7 @@ class CineTest : public ConsoleFixture {
   void init() {
     openConsole();
     pressEffect("noise");
-    session().makePictureNow();
+    session().makeImageNow();
   }
   void cleanup() {
     disconnect(look_);
@@ -82,11 +82,11 @@ class CineTest : public ConsoleFixture {
 
   void aFrozenScanIsSteppedThroughPixelForPixel() {
     QVERIFY(!bar().isOpen() && !bar().isVisible());
-    const QSize before(session().picture().width(), session().picture().height());
+    const QSize before(session().image().width(), session().image().height());
     scanAndFreeze(30);
     QVERIFY(bar().isVisible() && !find<QLabel>("position")->isVisible());
     QTest::qWait(50);
-    QCOMPARE(QSize(session().picture().width(), session().picture().height()), before);
+    QCOMPARE(QSize(session().image().width(), session().image().height()), before);
     const std::size_t last = session().cineLoop().ring().frameCount() - 1;
     QCOMPARE(bar().review().frame(), last);
     QCOMPARE(everythingSeen(), seenAt(last).pixels);
@@ -95,7 +95,7 @@ class CineTest : public ConsoleFixture {
       QCOMPARE(bar().review().frame(), last - 1 - static_cast<std::size_t>(n));
       comparesWithWhatWasSeen();
     }
-    QVERIFY2(session().picturePose() == session().shownState().pose, "the body shows where the probe was");
+    QVERIFY2(session().imagePose() == session().shownState().pose, "the body shows where the probe was");
     pressKey(Qt::Key_Right);
     pressKey(Qt::Key_Period);
     QCOMPARE(bar().review().frame(), last - 10);
@@ -117,7 +117,7 @@ class CineTest : public ConsoleFixture {
   void persistenceAndMModeShowWhatTheyShowed() {
     slide("persistence", 80);
     press("modeBoth");
-    session().makePictureNow();
+    session().makeImageNow();
     QTest::qWait(50);
     scanAndFreeze(40);
     const std::size_t last = session().cineLoop().ring().frameCount() - 1;
@@ -212,7 +212,7 @@ class CineTest : public ConsoleFixture {
     QVERIFY(waitUntil([this] { return window_->replayBar().recording() != nullptr && window_->isSettled(); }));
     QVERIFY2(!bar().isOpen() && !session().isFrozen(), "a recording takes the place of the frozen scan");
     window_->replayBar().unload();
-    session().makePictureNow();
+    session().makeImageNow();
     pressKey(Qt::Key_F);
     QVERIFY2(session().cineLoop().ring().frameTime_s(0) > scanned_s, "the scan before the recording is another one");
   }
@@ -223,8 +223,8 @@ class CineTest : public ConsoleFixture {
     pressKey(Qt::Key_F);
     QVERIFY(!session().isFrozen() && !bar().isOpen());
     QVERIFY(find<QLabel>("position")->isVisible());
-    session().makePictureNow();
-    QVERIFY2(session().picturePose() == session().probeControl().pose(), "the scan runs where the hand is");
+    session().makeImageNow();
+    QVERIFY2(session().imagePose() == session().probeControl().pose(), "the scan runs where the hand is");
     seen_.clear();
     scanForAWhile(8);
     pressKey(Qt::Key_F);
@@ -235,7 +235,7 @@ class CineTest : public ConsoleFixture {
     const double before_s = session().frames().now_s();
     QVERIFY(openCase(files_.writeCase(QStringLiteral("next"))));
     QVERIFY(!session().isFrozen() && !bar().isOpen());
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(session().cineLoop().ring().frameTime_s(0) > before_s);
   }
 

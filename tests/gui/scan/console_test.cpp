@@ -219,12 +219,12 @@ class ConsoleTest : public ConsoleFixture {
     QCOMPARE(knobs().carrier_hz, 10e6);
     choose("frequency", 1);
     QCOMPARE(knobs().carrier_hz, 0.0);  // the probe's own
-    session().makePictureNow();
+    session().makeImageNow();
     const auto steered = session().seen().spans();
     press("trapezoid");
     QVERIFY(knobs().trapezoid);
     QVERIFY2(!find<QSlider>("steering")->isEnabled(), "a trapezoid does not steer");
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(session().seen().spans() != steered);
   }
 
@@ -235,7 +235,7 @@ class ConsoleTest : public ConsoleFixture {
     QVERIFY(session().subject()->tissue && session().subject()->tissue->isRecorded);
     QVERIFY(find<QCheckBox>("effect_live_echoes")->isChecked());
     QVERIFY2(!find<QCheckBox>("harmonic")->isEnabled() && !find<QAbstractButton>("compound3")->isEnabled(), "its grain is one machine's");
-    session().makePictureNow();
+    session().makeImageNow();
     const auto& steps = session().seen().plan().steps;
     QVERIFY(std::any_of(steps.begin(), steps.end(), [](const Step& step) { return step.kind == StepKind::scatterers; }));
     pressEffect("live_echoes");
@@ -274,25 +274,25 @@ class ConsoleTest : public ConsoleFixture {
     QCOMPARE(scene().noise->atFace_db, -70.0);  // as strong as it was
   }
 
-  void everyEffectChangesThePicture() {
-    session().makePictureNow();
+  void everyEffectChangesTheImage() {
+    session().makeImageNow();
     for (const char* effect : {"focus", "slice_thickness", "noise"}) {
       const std::vector<std::uint8_t> before = pixelsOf(session());
       pressEffect(effect);
-      session().makePictureNow();
+      session().makeImageNow();
       QVERIFY2(pixelsOf(session()) != before, effect);
       pressEffect(effect);
-      session().makePictureNow();
+      session().makeImageNow();
       QVERIFY2(pixelsOf(session()) == before, effect);
     }
     // A probe held off the skin shows it only when the scene has contact.
     Hold lifted = session().probeControl().hold();
     lifted.press_mm = 0.0;
     session().probeControl().setHold(turned(lifted, 0.0, 0.6, 0.0));
-    session().makePictureNow();
+    session().makeImageNow();
     const std::vector<std::uint8_t> touching = pixelsOf(session());
     pressEffect("contact");
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(pixelsOf(session()) != touching);
   }
 
@@ -356,7 +356,7 @@ class ConsoleTest : public ConsoleFixture {
   void draggingOnTheDepthScaleMovesTheNearestFocus() {
     pressEffect("focus");
     press("foci2");
-    session().makePictureNow();
+    session().makeImageNow();
     auto* scale = find<QWidget>("focusScale");
     const double first_mm = knobs().focus_mm;
     const double second_mm = knobs().moreFoci_mm[0];

@@ -50,7 +50,7 @@ class FirstImageTest : public WindowFixture {
     return waitUntil(
         [&] {
           const auto& open = window_->document().current();
-          return open && wordsOf(open->folder) == folder && session().subject() && !session().picture().isEmpty();
+          return open && wordsOf(open->folder) == folder && session().subject() && !session().image().isEmpty();
         },
         kPatience_ms);
   }
@@ -74,7 +74,7 @@ class FirstImageTest : public WindowFixture {
     QVERIFY(!session().canRefine());
     QVERIFY2(window_->messages().text().contains(QStringLiteral("finer")), qPrintable(window_->messages().text()));
 
-    // Whoever looks at a frozen picture keeps it; only the volume is made.
+    // Whoever looks at a frozen image keeps it; only the volume is made.
     QVERIFY(waitUntil([&] { return isMade(folder) && window_->jobs().seen().empty(); }, kPatience_ms));
     QTest::qWait(1200);
     QVERIFY(session().subject()->isDraft);
@@ -105,9 +105,9 @@ class FirstImageTest : public WindowFixture {
   void aDrawnPatientHasHarmonicsAndCompounding() {
     showWindow();
     QVERIFY(opens(writeDrawnCase(QStringLiteral("console"))));
-    const auto picture = [this] {
-      session().makePictureNow();
-      return copyOf(session().picture().grey);
+    const auto image = [this] {
+      session().makeImageNow();
+      return copyOf(session().image().grey);
     };
     const auto press = [this](const char* name) {
       auto* button = find<QAbstractButton>(name);
@@ -117,17 +117,17 @@ class FirstImageTest : public WindowFixture {
     Knobs linear = session().console().knobs();
     linear.quality = Quality::linear;
     session().console().setKnobs(linear);
-    const GreyImage once = picture();
+    const GreyImage once = image();
     press("compound3");
     QCOMPARE(session().console().knobs().compoundAngles, 3);
-    QVERIFY(picture() != once);
+    QVERIFY(image() != once);
     press("compound1");
-    QVERIFY(picture() == once);
+    QVERIFY(image() == once);
     press("harmonic");
     QVERIFY(session().console().knobs().harmonic);
-    QVERIFY(picture() != once);
+    QVERIFY(image() != once);
     press("harmonic");
-    QVERIFY(picture() == once);
+    QVERIFY(image() == once);
     linear.quality = Quality::weave;
     session().console().setKnobs(linear);
     QVERIFY2(!find<QAbstractButton>("compound3")->isEnabled(), "the fast quality follows the hand");

@@ -24,7 +24,7 @@ class FrozenImageTest : public ConsoleFixture {
   void scanAndFreeze(int frames = 12) const {
     for (int n = 0; n < frames; ++n) {
       session().probeControl().setHold(turned(session().probeControl().hold(), 0.01, 0.0, 0.01));
-      session().makePictureNow();
+      session().makeImageNow();
       QTest::qWait(2);
     }
     pressKey(Qt::Key_F);
@@ -43,7 +43,7 @@ class FrozenImageTest : public ConsoleFixture {
   }
   [[nodiscard]] BoxZoom& box() const { return *window_->findChild<BoxZoom*>(); }
   [[nodiscard]] ZoomOverview& overview() const { return *window_->findChild<ZoomOverview*>(); }
-  /// Of the middle half of the picture in each direction, moved by `by`.
+  /// Of the middle half of the image in each direction, moved by `by`.
   [[nodiscard]] QRect middleBox(const QPoint& by = {}) const {
     QRect drawn(0, 0, box().width() / 2, box().height() / 2);
     drawn.moveCenter(box().rect().center() + by);
@@ -54,7 +54,7 @@ class FrozenImageTest : public ConsoleFixture {
   void init() {
     openConsole();
     window_->bodyMark().setShown(false);
-    session().makePictureNow();
+    session().makeImageNow();
   }
   void cleanup() { window_.reset(); }
 
@@ -66,14 +66,14 @@ class FrozenImageTest : public ConsoleFixture {
     press("greyContrast");
     settle();
     QVERIFY(pixelsOf(session()) != before && session().isFrozen());
-    QCOMPARE(session().pictureKnobs().greyMap, GreyMap::contrast);
+    QCOMPARE(session().imageKnobs().greyMap, GreyMap::contrast);
     slide("dynamicRange", 40);
     pressKey(Qt::Key_X);
     pressKey(Qt::Key_U);
     slide("zoom", 20);
     settle();
     QVERIFY(!session().geometry().markerLeft && session().geometry().upsideDown);
-    QCOMPARE(session().pictureKnobs().zoom, 2.0);
+    QCOMPARE(session().imageKnobs().zoom, 2.0);
     QVERIFY2(window_->scanView().said().isEmpty(), qPrintable(window_->scanView().said()));
     QVERIFY(session().shownState().pose == scanned.pose && session().shownState().number == scanned.number);
     // What needs new echoes is not there to be had.
@@ -111,7 +111,7 @@ class FrozenImageTest : public ConsoleFixture {
     bar.goTo(3);
     settle();
     QVERIFY(pixelsOf(session()) != third && !session().geometry().markerLeft);
-    QCOMPARE(session().pictureKnobs().greyMap, GreyMap::bright);
+    QCOMPARE(session().imageKnobs().greyMap, GreyMap::bright);
     QVERIFY2(session().cineLoop().ring().frame(7) == kept, "the ring stays as it was scanned");
     pressKey(Qt::Key_X);
     Knobs back = knobs();
@@ -143,7 +143,7 @@ class FrozenImageTest : public ConsoleFixture {
     QCOMPARE(calipers.lines().size(), std::size_t{1});
     QCOMPARE(calipers.lines()[0].measured.figures[0].quantity.value, length_mm);
     QVERIFY((calipers.lines()[0].measurement.caliper.parts[0].points[1] == glm::dvec2(25.0, 70.0)));
-    // And the picture says the same of the place.
+    // And the image says the same of the place.
     const ScanView& scan = window_->scanView();
     const Point<frame::Probe> there = scan.pointAt(scan.positionOf({{25.0, 70.0, 0.0}}));
     QVERIFY(glm::distance(there.at, glm::dvec3(25.0, 70.0, 0.0)) < 1e-9);
@@ -159,15 +159,15 @@ class FrozenImageTest : public ConsoleFixture {
       QVERIFY(box().isDrawing() && box().isVisible());
       const QRect drawn = middleBox({-30, 25});
       const ScanView& scan = window_->scanView();
-      const Point<frame::Probe> middle = scan.pointAt(QPointF(scan.pictureRect().topLeft()) + QRectF(drawn).center());
+      const Point<frame::Probe> middle = scan.pointAt(QPointF(scan.imageRect().topLeft()) + QRectF(drawn).center());
       drag(box(), drawn.topLeft(), drawn.bottomRight() + QPoint(1, 1));
       QVERIFY(!box().isDrawing());
-      session().makePictureNow();
+      session().makeImageNow();
       settle();
       QVERIFY(session().frames().framesMade() > framesBefore);
       QVERIFY2(std::abs(session().console().detail().zoom - 2.0) < 0.02, qPrintable(QString::number(session().console().detail().zoom)));
       QVERIFY(std::abs(session().geometry().pixel_mm - whole.pixel_mm / session().console().detail().zoom) < 1e-6);
-      const QPointF at = scan.positionOf(middle) - QPointF(scan.pictureRect().topLeft());
+      const QPointF at = scan.positionOf(middle) - QPointF(scan.imageRect().topLeft());
       QVERIFY2(std::hypot(at.x() - box().width() / 2.0, at.y() - box().height() / 2.0) < 2.5,
                qPrintable(QStringLiteral("%1 %2").arg(at.x()).arg(at.y())));
       QVERIFY(overview().isVisible());
@@ -178,7 +178,7 @@ class FrozenImageTest : public ConsoleFixture {
       // A drag in the overview moves the detail there.
       const Pan before = session().console().detail().pan;
       drag(overview(), part.center().toPoint(), part.center().toPoint() + QPoint(8, 6));
-      session().makePictureNow();
+      session().makeImageNow();
       settle();
       QVERIFY(!(session().console().detail().pan == before));
       QVERIFY2(
@@ -186,12 +186,12 @@ class FrozenImageTest : public ConsoleFixture {
           qPrintable(QStringLiteral("%1 from %2 of %3").arg(overview().box().center().x()).arg(part.center().x()).arg(overview().width())));
       // So does one in the image.
       const Pan there = session().console().detail().pan;
-      drag(window_->scanView(), scan.pictureRect().center(), scan.pictureRect().center() + QPoint(20, 10));
-      session().makePictureNow();
+      drag(window_->scanView(), scan.imageRect().center(), scan.imageRect().center() + QPoint(20, 10));
+      session().makeImageNow();
       settle();
       QVERIFY(!(session().console().detail().pan == there));
       pressKey(Qt::Key_Backspace, Qt::ControlModifier);
-      session().makePictureNow();
+      session().makeImageNow();
       settle();
       QCOMPARE(session().console().detail().zoom, 1.0);
       QVERIFY(session().geometry() == whole && !overview().isVisible());
@@ -206,7 +206,7 @@ class FrozenImageTest : public ConsoleFixture {
     QVERIFY(box().isDrawing() && !window_->scanView().said().isEmpty());
     QTest::keyClick(&box(), Qt::Key_Escape);
     QVERIFY(!box().isDrawing());
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(session().geometry() == whole);
     QVERIFY(!find<QAbstractButton>("wholeImage")->isEnabled());
   }

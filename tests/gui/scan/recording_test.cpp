@@ -30,15 +30,15 @@ class RecordingTest : public WindowFixture {
 
   struct Seen {
     QSize size;
-    std::vector<std::vector<std::uint8_t>> pictures;
+    std::vector<std::vector<std::uint8_t>> images;
   };
-  /// Slides, changes the gain, the persistence and the probe's tilt; what was seen, picture by picture.
+  /// Slides, changes the gain, the persistence and the probe's tilt; what was seen, image by image.
   Seen scanForAWhile() const {
     Seen seen;
-    const auto look = connect(&session(), &Session::pictureChanged, this, [&] {
+    const auto look = connect(&session(), &Session::imageChanged, this, [&] {
       if (session().isFrozen() || !window_->recorder().isRecording()) return;
-      seen.size = {session().picture().width(), session().picture().height()};
-      seen.pictures.push_back(pixelsOf(session()));
+      seen.size = {session().image().width(), session().image().height()};
+      seen.images.push_back(pixelsOf(session()));
     });
     for (int n = 0; n < 24; ++n) {
       session().probeControl().setHold(turned(session().probeControl().hold(), 0.01, 0.0, n % 2 == 0 ? 0.02 : 0.01));
@@ -46,7 +46,7 @@ class RecordingTest : public WindowFixture {
       if (n % 5 == 0) knobs.gain = 0.8 + 0.05 * n;
       if (n == 8) knobs.persistence = 0.5;
       session().console().setKnobs(knobs);
-      session().makePictureNow();
+      session().makeImageNow();
     }
     disconnect(look);
     return seen;
@@ -73,21 +73,21 @@ class RecordingTest : public WindowFixture {
     toggleRecording();
     QVERIFY(window_->recorder().isRecording());
     const Seen seen = scanForAWhile();
-    QVERIFY(seen.pictures.size() >= 24);
+    QVERIFY(seen.images.size() >= 24);
     pressKey(Qt::Key_K);
     toggleRecording();
     QVERIFY(!window_->recorder().isRecording());
     QVERIFY(bar().isVisible());
     const auto recording = bar().recording();
     QCOMPARE(recording->caseId, std::string("window-test"));
-    QCOMPARE(recording->log.frameCount(), seen.pictures.size());
+    QCOMPARE(recording->log.frameCount(), seen.images.size());
     QVERIFY(std::holds_alternative<Note>(recording->log.events().back().what));
     Replay replay(recording->log, *session().subject(), 2);
-    for (std::size_t n = 0; n < seen.pictures.size(); ++n) {
+    for (std::size_t n = 0; n < seen.images.size(); ++n) {
       const ImageView<const std::uint8_t> again = replay.make(n, seen.size.width(), seen.size.height()).grey;
       for (int y = 0; y < again.height; ++y)
-        QVERIFY2(std::equal(again.row(y), again.row(y) + again.width, seen.pictures[n].data() + std::ptrdiff_t{y} * again.width),
-                 qPrintable(QStringLiteral("picture %1, row %2").arg(n).arg(y)));
+        QVERIFY2(std::equal(again.row(y), again.row(y) + again.width, seen.images[n].data() + std::ptrdiff_t{y} * again.width),
+                 qPrintable(QStringLiteral("image %1, row %2").arg(n).arg(y)));
     }
   }
 
@@ -98,10 +98,10 @@ class RecordingTest : public WindowFixture {
     const Knobs knobsAfter = session().console().knobs();
     toggleRecording();
     QVERIFY(session().isPlaying() && !bar().isPlaying());
-    // At rest on the first picture: the console shows what was set then, and the probe stands where it stood.
-    session().makePictureNow();
+    // At rest on the first image: the console shows what was set then, and the probe stands where it stood.
+    session().makeImageNow();
     QCOMPARE(session().console().knobs().persistence, 0.0);
-    QVERIFY(session().picturePose() == bar().recording()->log.frame(0).pose);
+    QVERIFY(session().imagePose() == bar().recording()->log.frame(0).pose);
     QVERIFY(!window_->console().isEnabled());
     pressKey(Qt::Key_Left);
     QVERIFY(session().probeControl().hold() == after);
@@ -112,8 +112,8 @@ class RecordingTest : public WindowFixture {
     QVERIFY(bar().isPlaying());
     QVERIFY(waitUntil([this] { return !bar().isPlaying(); }));
     QCOMPARE(bar().position_s(), bar().length_s());
-    session().makePictureNow();
-    QVERIFY(session().picturePose() == bar().recording()->log.frame(bar().recording()->log.frameCount() - 1).pose);
+    session().makeImageNow();
+    QVERIFY(session().imagePose() == bar().recording()->log.frame(bar().recording()->log.frameCount() - 1).pose);
     QCOMPARE(session().console().knobs().persistence, 0.5);
 
     find<QPushButton>("replayLoop")->setChecked(true);
@@ -143,7 +143,7 @@ class RecordingTest : public WindowFixture {
     QVERIFY(std::abs(bar().position_s() - 0.5 * bar().length_s()) < 0.02 * bar().length_s());
     const ScanLog& log = bar().recording()->log;
     const ScanState shown = log.frame(log.frameAt(log.frameTime_s(0) + bar().position_s()));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(session().shownState() == shown);
     QTest::keyClick(line, Qt::Key_End);
     QCOMPARE(bar().position_s(), bar().length_s());
@@ -238,7 +238,7 @@ class RecordingTest : public WindowFixture {
     QTest::qWait(50);
     pressKey(Qt::Key_Space);
     QVERIFY(!session().isFrozen());
-    session().makePictureNow();
+    session().makeImageNow();
     toggleRecording();
     QVERIFY(bar().recording()->log.isFrozenAt(frozen_s + 0.02));
     QVERIFY(!bar().recording()->log.isFrozenAt(bar().recording()->log.end_s()));

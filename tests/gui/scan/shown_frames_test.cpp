@@ -12,7 +12,7 @@
 namespace ew::ui::testing {
 
 /// Which frames the window makes and shows: the same pixels however the volume lies in memory, coarser ones only while the probe moves
-/// fast, none that nobody sees; and what is drawn around the picture follows the picture.
+/// fast, none that nobody sees; and what is drawn around the image follows the image.
 class ShownFramesTest : public ConsoleFixture {
   Q_OBJECT
 
@@ -47,10 +47,10 @@ class ShownFramesTest : public ConsoleFixture {
     for (const char* quality : {"qualityWeave", "qualityLinear", "qualityCubic"}) {
       if (!find<QPushButton>(quality)->isChecked()) press(quality);
       session().show(bricked);
-      session().makePictureNow();
+      session().makeImageNow();
       const std::vector<std::uint8_t> ofBricks = pixelsOf(session());
       session().show(plain);
-      session().makePictureNow();
+      session().makeImageNow();
       QVERIFY2(pixelsOf(session()) == ofBricks, quality);
     }
   }
@@ -64,8 +64,8 @@ class ShownFramesTest : public ConsoleFixture {
     const auto shown = [this](const ScanSubject& subject, const char* quality, int width, int height) {
       if (!find<QPushButton>(quality)->isChecked()) press(quality);
       session().show(subject);
-      session().setPictureSize(width, height);
-      session().makePictureNow();
+      session().setImageSize(width, height);
+      session().makeImageNow();
       return pixelsOf(session());
     };
     for (const char* quality : {"qualityWeave", "qualityLinear", "qualityCubic"}) {
@@ -75,15 +75,15 @@ class ShownFramesTest : public ConsoleFixture {
     }
   }
 
-  void upsideDownMovesScaleSlidersAndMarkerWithThePicture() {
-    session().makePictureNow();
+  void upsideDownMovesScaleSlidersAndMarkerWithTheImage() {
+    session().makeImageNow();
     QTest::qWait(30);
     const auto y = [this](const char* name) { return find<QSlider>(name)->mapTo(&window_->scanView(), QPoint(0, 10)).y(); };
     ScanView& view = window_->scanView();
     QVERIFY(y("dgc1") < y("dgc8") && view.yOfDepth(0.0) < view.yOfDepth(100.0));
     const std::vector<std::uint8_t> upright = pixelsOf(session());
     press("upsideDown");
-    session().makePictureNow();
+    session().makeImageNow();
     QTest::qWait(30);
     QVERIFY(y("dgc1") > y("dgc8") && view.yOfDepth(0.0) > view.yOfDepth(100.0));
     QVERIFY(std::abs(view.depthAt_mm(view.yOfDepth(70.0)) - 70.0) < 1e-9);
@@ -105,10 +105,10 @@ class ShownFramesTest : public ConsoleFixture {
     press("qualityCubic");
     session().frames().setAdaptive(true);
     session().frames().setAdaptiveOptions(strict());
-    session().makePictureNow();
+    session().makeImageNow();
     // A lowered quality may be back before the next look, so each frame is looked at.
     bool fell = false;
-    const auto looking = connect(&session(), &Session::pictureChanged, this, [&] {
+    const auto looking = connect(&session(), &Session::imageChanged, this, [&] {
       fell = fell || (session().frames().isLowered() && session().shownState().knobs.quality != Quality::cubic);
     });
     for (int n = 0; n < 1000 && !fell; ++n) {
@@ -124,11 +124,11 @@ class ShownFramesTest : public ConsoleFixture {
     QVERIFY(session().shownState().knobs.quality == Quality::cubic);
     const std::vector<std::uint8_t> refined = pixelsOf(session());
     session().frames().setAdaptive(false);
-    session().makePictureNow();
+    session().makeImageNow();
     QCOMPARE(pixelsOf(session()), refined);
   }
 
-  void aFrozenPictureIsMadeInFullAndStaysAsItIs() {
+  void aFrozenImageIsMadeInFullAndStaysAsItIs() {
     press("qualityCubic");
     pressEffect("noise");
     session().frames().setAdaptive(true);
@@ -140,19 +140,19 @@ class ShownFramesTest : public ConsoleFixture {
       QTest::qWait(10);
     }
     session().setFrozen(true);
-    QVERIFY(session().shownState().knobs == session().pictureKnobs());
+    QVERIFY(session().shownState().knobs == session().imageKnobs());
     const std::vector<std::uint8_t> held = pixelsOf(session());
     const std::uint64_t frames = session().frames().framesMade();
     pressEffect("attenuation");
     QTest::qWait(200);
     QCOMPARE(pixelsOf(session()), held);
-    QVERIFY2(session().frames().framesMade() == frames, "a frozen picture makes no frames");
+    QVERIFY2(session().frames().framesMade() == frames, "a frozen image makes no frames");
     // Another size and back gives the same pixels: the same noise, the same scene.
     const DisplayGeometry was = session().geometry();
-    session().setPictureSize(was.width / 2, was.height / 2);
-    session().makePictureNow();
-    session().setPictureSize(was.width, was.height);
-    session().makePictureNow();
+    session().setImageSize(was.width / 2, was.height / 2);
+    session().makeImageNow();
+    session().setImageSize(was.width, was.height);
+    session().makeImageNow();
     QCOMPARE(pixelsOf(session()), held);
   }
 
@@ -167,7 +167,7 @@ class ShownFramesTest : public ConsoleFixture {
     pressEffect("noise");
     slide("persistence", 50);
     session().probeControl().setHold(turned(session().probeControl().hold(), 0.2, 0.0, 0.0));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(session().changesByItself());
     QVERIFY(waitUntil([this] { return !session().changesByItself(); }));
     QVERIFY(comesToRest());
@@ -191,7 +191,7 @@ class ShownFramesTest : public ConsoleFixture {
     hold.contact.point_mm = {0.0, -29.0, 0.0};
     hold.contact.outward = {0.0, -1.0, 0.0};
     session().probeControl().setHold(hold);
-    session().makePictureNow();
+    session().makeImageNow();
     const auto changes = [this] {
       const std::vector<std::uint8_t> before = pixelsOf(session());
       return waitUntil([&] { return pixelsOf(session()) != before; });
@@ -246,23 +246,23 @@ class ShownFramesTest : public ConsoleFixture {
       }
       return false;
     }));
-    const QRect picture = window_->scanView().pictureRect();
+    const QRect image = window_->scanView().imageRect();
     const QRect strip = window_->scanView().stripRect();
-    QCOMPARE(strip.size(), picture.size());
-    QVERIFY(strip.top() > picture.bottom());
+    QCOMPARE(strip.size(), image.size());
+    QVERIFY(strip.top() > image.bottom());
     const int cursor = session().seen().stripCursor();
     QVERIFY(waitUntil([&] { return session().seen().stripCursor() != cursor; }));
     QVERIFY(session().frames().latency().count() < 1000);
     press("modeM");
     QTest::qWait(100);
-    QCOMPARE(window_->scanView().stripRect(), window_->scanView().pictureRect());
+    QCOMPARE(window_->scanView().stripRect(), window_->scanView().imageRect());
     press("modeB");
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(window_->scanView().stripRect().isEmpty());
     QCOMPARE(session().seen().strip().width, 0);
   }
 
-  void theStatusLineTellsThePlanAndHowLongPicturesTook() {
+  void theStatusLineTellsThePlanAndHowLongImagesTook() {
     everythingOn();
     for (int n = 0; n < 3; ++n) {
       session().probeControl().setHold(turned(session().probeControl().hold(), 0.05, 0.0, 0.0));
@@ -270,7 +270,7 @@ class ShownFramesTest : public ConsoleFixture {
     }
     QVERIFY(waitUntil([this] { return session().frames().latency().count() >= 3; }));
     QVERIFY(waitUntil([this] { return find<QLabel>("plan")->toolTip().contains(QStringLiteral("99 %")); }));
-    // The line is written a moment after the picture, so it may still tell the plan before.
+    // The line is written a moment after the image, so it may still tell the plan before.
     for (const Step& step : session().seen().plan().steps)
       QVERIFY2(waitUntil([&] { return find<QLabel>("plan")->toolTip().contains(nameOfStep(step.kind)); }), nameOf(step.kind));
   }

@@ -60,7 +60,7 @@ class SourceFieldTest final : public QObject {
     plugins_ = std::make_unique<door::PluginList>(std::vector<std::filesystem::path>{std::filesystem::path(EW_BINARY_DIR) / "lib/plugins"});
     plugins_->openAll(host_);
     const auto panel = std::find_if(host_.panelsKept.begin(), host_.panelsKept.end(),
-                                    [](const sdk::StagedPanel& each) { return each.id == "case_authoring"; });
+                                    [](const sdk::StagePanel& each) { return each.id == "case_authoring"; });
     QVERIFY(panel != host_.panelsKept.end());
     panel_.reset(panel->make(nullptr));
   }

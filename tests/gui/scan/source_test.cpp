@@ -57,7 +57,7 @@ class SourceTest : public WindowFixture {
     return true;
   }
 
-  [[nodiscard]] QPoint inWidget(const QPoint& pixel) const { return window_->scanView().pictureRect().topLeft() + pixel; }
+  [[nodiscard]] QPoint inWidget(const QPoint& pixel) const { return window_->scanView().imageRect().topLeft() + pixel; }
 
   void altClick(const QPoint& pixel) const {
     QWidget* target = window_->scanView().childAt(inWidget(pixel));
@@ -65,7 +65,7 @@ class SourceTest : public WindowFixture {
     QTest::mouseClick(target, Qt::LeftButton, Qt::AltModifier, target->mapFrom(&window_->scanView(), inWidget(pixel)));
   }
 
-  /// Pixels of the picture inside the fan and well inside the volume; what is to be found there is worked out by hand, not by the program.
+  /// Pixels of the image inside the fan and well inside the volume; what is to be found there is worked out by hand, not by the program.
   struct Spot {
     QPoint pixel;
     int frame = 0;
@@ -73,12 +73,12 @@ class SourceTest : public WindowFixture {
   };
   [[nodiscard]] std::vector<Spot> spots() const {
     const ScanSubject& subject = *session().subject();
-    const auto pictureToWorld = session().picturePose().probeToWorld * session().geometry().imageToProbe();
+    const auto imageToWorld = session().imagePose().probeToWorld * session().geometry().imageToProbe();
     std::vector<Spot> found;
     for (int y = 4; y < session().geometry().height; y += 16) {
       for (const RowSpan& run : session().seen().spans()[static_cast<std::size_t>(y)]) {
         for (int x = run.begin + 2; x < run.end - 2; x += 24) {
-          const auto at = pictureToWorld * Point<frame::Image>{{x, y, 0.0}};
+          const auto at = imageToWorld * Point<frame::Image>{{x, y, 0.0}};
           const glm::dvec3 recorded = (subject.voxels.volume()->grid.voxelToWorld() * (subject.placedGrid.worldToVoxel() * at)).at;
           const QWidget* over = window_->scanView().childAt(inWidget({x, y}));
           if (over != nullptr && over->objectName() == QLatin1String("zoomOverview")) continue;  // hides the image there
@@ -109,7 +109,7 @@ class SourceTest : public WindowFixture {
   void init() { showWindowWithCase(files_.writeCase(QStringLiteral("case"))); }
   void cleanup() { window_.reset(); }
 
-  void altClickShowsTheFrameHoweverThePictureIsTurnedAndZoomed() {
+  void altClickShowsTheFrameHoweverTheImageIsTurnedAndZoomed() {
     QVERIFY(importSweep(files_.writeSweep(QStringLiteral("turned.igs.mha")), true));
     QCOMPARE(session().subject()->provenance->frames.size(), std::size_t{24});
     Knobs usual = session().console().knobs();
@@ -123,7 +123,7 @@ class SourceTest : public WindowFixture {
           knobs.upsideDown = upsideDown;
           knobs.zoom = zoom;
           session().console().setKnobs(knobs);
-          session().makePictureNow();
+          session().makeImageNow();
           const std::vector<Spot> all = spots();
           if (all.empty()) continue;
           ++looks;
@@ -135,13 +135,13 @@ class SourceTest : public WindowFixture {
       }
     }
     QVERIFY2(looks >= 6, qPrintable(QString::number(looks)));
-    // Beams give the same picture plane as the display path.
+    // Beams give the same image plane as the display path.
     Knobs knobs = usual;
     session().console().setKnobs(knobs);
     Scene scene = session().console().scene();
     scene.focus.emplace();
     session().console().setScene(scene);
-    session().makePictureNow();
+    session().makeImageNow();
     const std::vector<Spot> all = spots();
     QVERIFY(!all.empty());
     altClick(all[all.size() / 3].pixel);
@@ -189,7 +189,7 @@ class SourceTest : public WindowFixture {
     // The mark alone leaves the mouse to the probe, and goes when the plane does.
     QTest::keyClick(&window_->scanView(), Qt::Key_Q);
     QVERIFY(!(session().probeControl().hold() == before));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(!picker().mark().has_value());
   }
 

@@ -31,10 +31,10 @@ Probe convex() {
   return probe;
 }
 
-int countPixels(const QImage& picture, const std::function<bool(QColor)>& matches) {
+int countPixels(const QImage& image, const std::function<bool(QColor)>& matches) {
   int count = 0;
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) count += matches(picture.pixelColor(x, y)) ? 1 : 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) count += matches(image.pixelColor(x, y)) ? 1 : 0;
   return count;
 }
 
@@ -150,7 +150,7 @@ class View3DTest : public QObject {
     const QImage with = view_->grab().toImage();
     QVERIFY2(countPixels(with, isAccent) > 100, "the fan's edge in the accent colour");
     const auto isWhite = [](const QColor& c) { return c.red() > 245 && c.green() > 245 && c.blue() > 245; };
-    QVERIFY2(countPixels(with, isWhite) > 2000, "the live picture");
+    QVERIFY2(countPixels(with, isWhite) > 2000, "the live image");
     const auto isSkin = [](const QColor& c) { return c.red() > c.green() + 10 && c.green() > c.blue() + 5 && c.red() > 90; };
     QVERIFY2(countPixels(with, isSkin) > 40000, "the body");
     Pose lost = poseOf(hand_->hold());
@@ -161,7 +161,7 @@ class View3DTest : public QObject {
     QVERIFY(view_->scene().fanCorners_mm().empty());
   }
 
-  void aZoomedPictureCoversItsOwnPartOfTheFanAndIsFramed() {
+  void aZoomedImageCoversItsOwnPartOfTheFanAndIsFramed() {
     view_->showFrom(bridge::CameraPreset::overview);
     GreyImage white(300, 320, 255);
     Knobs knobs;
@@ -177,7 +177,7 @@ class View3DTest : public QObject {
     const QImage zoomed = shown(4.0);
     const int wholePixels = countPixels(whole, isWhite);
     const int zoomedPixels = countPixels(zoomed, isWhite);
-    // A sixteenth of the picture's rectangle, of which the fan fills about half: never the whole fan, as pixels drawn on to its rim would.
+    // A sixteenth of the image's rectangle, of which the fan fills about half: never the whole fan, as pixels drawn on to its rim would.
     QVERIFY2(zoomedPixels > wholePixels / 40 && zoomedPixels < wholePixels / 4,
              qPrintable(QStringLiteral("%1 of %2").arg(zoomedPixels).arg(wholePixels)));
     QVERIFY2(countPixels(zoomed, isAccent) > countPixels(whole, isAccent), "the frame of the detail");

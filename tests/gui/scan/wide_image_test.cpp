@@ -29,15 +29,15 @@ class WideImageTest : public ConsoleFixture {
     probeToWorld.matrix[1] = {0.0, c, s, 0.0};
     probeToWorld.matrix[2] = {0.0, -s, c, 0.0};
     probeToWorld.matrix[3] = {x_mm, -100.0, z_mm, 1.0};
-    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, {probeToWorld, PoseStatus::ok}}}));
-    session().makePictureNow();
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<PoseSample>{{0.0, {probeToWorld, PoseStatus::ok}}}));
+    session().makeImageNow();
     QVERIFY(waitUntil([this] { return wide().isSettled(); }));
   }
   void begin() const {
     holdAt(0.0);
     pressKey(Qt::Key_W, Qt::ControlModifier);
     QCOMPARE(wide().state(), WideScan::State::growing);
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(waitUntil([this] { return wide().isSettled() && wide().growth().images == 1; }));
   }
   /// To the left and over the middle to the right.
@@ -55,7 +55,7 @@ class WideImageTest : public ConsoleFixture {
   /// Mean level of 5 x 5 mm about a point of the image plane, of what is shown.
   [[nodiscard]] double levelAt(const glm::dvec2& at_mm) const {
     const DisplayGeometry& shown = session().geometry();
-    const ImageView<const std::uint8_t> grey = session().picture().grey;
+    const ImageView<const std::uint8_t> grey = session().image().grey;
     double sum = 0.0;
     int count = 0;
     for (int y = 0; y < grey.height; ++y)
@@ -72,7 +72,7 @@ class WideImageTest : public ConsoleFixture {
   void init() {
     openConsole();
     window_->bodyMark().setShown(false);
-    session().makePictureNow();
+    session().makeImageNow();
   }
   void cleanup() { window_.reset(); }
 
@@ -141,14 +141,14 @@ class WideImageTest : public ConsoleFixture {
     QCOMPARE(calipers.lines().size(), std::size_t{1});
   }
 
-  void itIsSavedAsAPictureWithItsWords() {
+  void itIsSavedAsAnImageWithItsWords() {
     begin();
     sweep();
     keep();
     const QString file = files_.path(QStringLiteral("wide.png"));
-    QVERIFY(writeShownPictures({{&session(), &window_->calipers(), {}}}, 1, QDateTime::currentDateTime(), file.toStdString()));
+    QVERIFY(writeShownImages({{&session(), &window_->calipers(), {}}}, 1, QDateTime::currentDateTime(), file.toStdString()));
     const QImage saved(file);
-    QVERIFY(saved.width() >= session().picture().width() && saved.height() > session().picture().height());
+    QVERIFY(saved.width() >= session().image().width() && saved.height() > session().image().height());
   }
 
   void imagesThatLeaveThePlaneAreNamedAndNotWoven() {
@@ -187,7 +187,7 @@ class WideImageTest : public ConsoleFixture {
 
   void mModeHasNone() {
     press("modeM");
-    session().makePictureNow();
+    session().makeImageNow();
     pressKey(Qt::Key_W, Qt::ControlModifier);
     QCOMPARE(wide().state(), WideScan::State::off);
     QVERIFY(!said().isEmpty());
@@ -198,8 +198,8 @@ class WideImageTest : public ConsoleFixture {
     sweep();
     keep();
     window_->resize(1400, 800);
-    QVERIFY(waitUntil([this] { return wide().isSettled() && session().geometry().width == session().pictureSize_px().x; }));
-    QCOMPARE(session().geometry().width, session().pictureSize_px().x);
+    QVERIFY(waitUntil([this] { return wide().isSettled() && session().geometry().width == session().imageSize_px().x; }));
+    QCOMPARE(session().geometry().width, session().imageSize_px().x);
     QVERIFY(session().wide() != nullptr);
   }
 

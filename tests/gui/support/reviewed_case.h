@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/step_answer.h"
 #include "ew/scanning/contact.h"
 #include "ew/scanning/recording.h"
@@ -94,7 +94,7 @@ class ReviewedCase {
     attempt.lessonId = "cyst";
     attempt.lessonTitle = "Find the cyst";
     attempt.person = way.person;
-    auto kept = KeptAttempt::begin(attemptsFolder(libraryFolder()), attempt);
+    auto kept = AttemptFolder::begin(attemptsFolder(libraryFolder()), attempt);
     if (!kept) return {};
     for (const char* id : {"read", "watch", "find", "cover", "answer"}) {
       const std::string step = id;
@@ -160,9 +160,10 @@ class ReviewedCase {
                        {.kind = CaseTarget::Kind::structure, .name = "cyst", .label = kStructure}};
     WatchTask watch;
     watch.recording = "scans/expert.seq.mha";
-    watch.marks = {{4.0, "The cyst comes into the picture."}};
-    Lesson lesson = lessonOf("cyst", {stepOf("read", ReadTask{}), stepOf("watch", watch), stepOf("find", PlaneTask{"cyst across", {}, {}}),
-                                      stepOf("cover", SweepTask{"cyst", 0.8}), questionOf("answer")});
+    watch.marks = {{4.0, "The cyst comes into the image."}};
+    Lesson lesson =
+        lessonOf("cyst", {stepOf("read", ReadingTask{}), stepOf("watch", watch), stepOf("find", PlaneTask{"cyst across", {}, {}}),
+                          stepOf("cover", SweepTask{"cyst", 0.8}), questionOf("answer")});
     lesson.title = "Find the cyst";
     const std::pair<const char*, const char*> titles[] = {{"read", "What a cyst looks like"},
                                                           {"watch", "How an expert finds it"},

@@ -7,10 +7,10 @@
 
 namespace ew::ui::testing {
 
-/// The folder for pictures that a person will look at; empty: none are kept.
+/// The folder for images that a person will look at; empty: none are kept.
 inline QString screenshotFolder() { return qEnvironmentVariable("EW_SCREENSHOTS"); }
 
-/// Keeps a picture of a widget there as NAME.png.
+/// Keeps an image of a widget there as NAME.png.
 inline void keepScreenshot(QWidget& widget, const char* name) {
   if (screenshotFolder().isEmpty()) return;
   QTest::qWait(300);  // what was asked of the window is painted

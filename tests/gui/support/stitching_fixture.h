@@ -136,7 +136,7 @@ class StitchingFixture : public WindowFixture {
     return {file, spacing * glm::dvec3(from)};
   }
 
-  void keepPicture(const char* name) const {
+  void keepImage(const char* name) const {
     const QString folder = qEnvironmentVariable("ECHOWEAVE_TEST_PICTURES");
     if (folder.isEmpty()) return;
     QTest::qWait(80);

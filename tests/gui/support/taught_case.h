@@ -7,7 +7,7 @@
 #include <QTabWidget>
 
 #include "ew/library/case.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/lesson.h"
 #include "ew/ui_test_door/start.h"
 #include "gui/support/window_fixture.h"
@@ -39,9 +39,9 @@ inline Lesson lessonOf(const char* id, std::vector<LessonStep> steps) {
 
 /// "first" and "second" of two steps, "third" of three.
 inline std::vector<Lesson> threeLessons() {
-  return {lessonOf("first", {stepOf("read", ReadTask{}), questionOf("answer")}),
-          lessonOf("second", {stepOf("read", ReadTask{}), questionOf("answer")}),
-          lessonOf("third", {stepOf("read", ReadTask{}), questionOf("answer"), stepOf("last", ReadTask{})})};
+  return {lessonOf("first", {stepOf("read", ReadingTask{}), questionOf("answer")}),
+          lessonOf("second", {stepOf("read", ReadingTask{}), questionOf("answer")}),
+          lessonOf("third", {stepOf("read", ReadingTask{}), questionOf("answer"), stepOf("last", ReadingTask{})})};
 }
 
 /// Gives a case that lies in a folder these lessons, an id and a title. @return whether it could be written

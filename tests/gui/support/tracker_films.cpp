@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 constexpr double kFilm_hz = 10.0;
-constexpr int kInOnePlace = 10;  // pictures, a second of them
+constexpr int kInOnePlace = 10;  // images, a second of them
 constexpr double kNoise_grey = 2.0;
 
 /// From the front of the patient, a little from the left and from above.
@@ -38,7 +38,7 @@ class Film {
     film_.set(cv::VIDEOWRITER_PROP_QUALITY, 95.0);
   }
   [[nodiscard]] bool isOpen() const { return film_.isOpened(); }
-  /// A second of one view, each picture with a noise of its own.
+  /// A second of one view, each image with a noise of its own.
   void add(const cv::Mat& grey) {
     for (int n = 0; n < kInOnePlace; ++n) {
       cv::Mat noisy(grey.size(), CV_16S), noise(grey.size(), CV_16S), shown, coloured;
@@ -86,7 +86,7 @@ bool TrackerFilms::writeChess(const std::string& file) const {
   cv::copyMakeBorder(drawn, padded, kMargin_mm * kPixelsPerMm, kMargin_mm * kPixelsPerMm, kMargin_mm * kPixelsPerMm,
                      kMargin_mm * kPixelsPerMm, cv::BORDER_CONSTANT, cv::Scalar::all(255));
   struct View {
-    double x, y, distance_mm, tilt, turn;  // x and y as parts of the picture
+    double x, y, distance_mm, tilt, turn;  // x and y as parts of the image
   };
   std::vector<View> views;
   for (const double distance_mm : {330.0, 480.0, 650.0})
@@ -94,7 +94,7 @@ bool TrackerFilms::writeChess(const std::string& file) const {
       const int n = static_cast<int>(views.size());
       views.push_back({x, y, distance_mm, n % 3 == 0 ? 0.0 : n % 2 == 0 ? 0.42 : -0.42, n % 4 == 1 ? 0.45 : n % 4 == 3 ? -0.45 : 0.0});
     }
-  views.push_back({0.5, 0.5, 178.0, 0.0, 0.0});  // near: more than half of the picture
+  views.push_back({0.5, 0.5, 178.0, 0.0, 0.0});  // near: more than half of the image
   views.push_back({0.45, 0.48, 192.0, 0.3, 0.0});
   views.push_back({0.55, 0.52, 186.0, 0.0, 0.3});
   for (const double tilt : {-0.5, 0.5}) views.push_back({0.5, 0.5, 420.0, tilt, 0.0});
@@ -116,14 +116,14 @@ bool TrackerFilms::writeChess(const std::string& file) const {
     // Drawn twice as large, so that a pixel is the mean of what falls into it.
     constexpr int kFiner = 2;
     for (cv::Point2f& each : to) each = (each + cv::Point2f(0.5F, 0.5F)) * kFiner - cv::Point2f(0.5F, 0.5F);
-    cv::Mat large(kHeight * kFiner, kWidth * kFiner, CV_8U), picture;
+    cv::Mat large(kHeight * kFiner, kWidth * kFiner, CV_8U), image;
     cv::GaussianBlur(padded, large, cv::Size(), 1.2);
     cv::Mat seen;
     cv::warpPerspective(large, seen, cv::getPerspectiveTransform(from, to), cv::Size(kWidth * kFiner, kHeight * kFiner), cv::INTER_LINEAR,
                         cv::BORDER_CONSTANT, cv::Scalar::all(96));
-    cv::resize(seen, picture, cv::Size(kWidth, kHeight), 0.0, 0.0, cv::INTER_AREA);
-    picture.convertTo(picture, CV_8U, 0.8, 15.0);
-    film.add(picture);
+    cv::resize(seen, image, cv::Size(kWidth, kHeight), 0.0, 0.0, cv::INTER_AREA);
+    image.convertTo(image, CV_8U, 0.8, 15.0);
+    film.add(image);
   }
   return true;
 }
@@ -139,8 +139,8 @@ bool TrackerFilms::writePaper(const std::string& file, const std::vector<Transfo
     const glm::dmat4 bodyToWorld = probeToWorld.matrix * glm::inverse(probe_.probeToTool.matrix);
     camera_truth::PaperShot shot;
     shot.poses = {{worldToCamera_ * bodyToWorld, worldToCamera_ * boardToWorld_}};
-    GreyImage picture = camera.picture(shot);
-    film.add(cv::Mat(picture.height, picture.width, CV_8U, picture.pixels.data()));
+    GreyImage image = camera.image(shot);
+    film.add(cv::Mat(image.height, image.width, CV_8U, image.pixels.data()));
   }
   return true;
 }
@@ -154,8 +154,8 @@ bool TrackerFilms::writeEmpty(const std::string& file) const {
   camera_truth::PaperCamera camera(lens_, {board_}, options);
   camera_truth::PaperShot shot;
   shot.poses = {{worldToCamera_ * boardToWorld_}};
-  GreyImage picture = camera.picture(shot);
-  film.add(cv::Mat(picture.height, picture.width, CV_8U, picture.pixels.data()));
+  GreyImage image = camera.image(shot);
+  film.add(cv::Mat(image.height, image.width, CV_8U, image.pixels.data()));
   return true;
 }
 

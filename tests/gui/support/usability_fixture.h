@@ -46,7 +46,7 @@ class UsabilityFixture : public WindowFixture {
       step.title = std::string("Title of ") + id;
       step.text = "What to do in this step.";
       if (std::string_view(id) == "read")
-        step.task = ReadTask{};
+        step.task = ReadingTask{};
       else
         step.task = FreeTask{0.0, {}};
       lesson.steps.push_back(step);

@@ -24,7 +24,7 @@
 #include <cmath>
 #include <set>
 
-#include "ew/widgets/elided_label.h"
+#include "ew/widgets/ellipsis_label.h"
 #include "ew/widgets/figures.h"
 
 // Looks at every widget of a page as a person with large type, a keyboard or a screen reader would. Each function gives sentences about
@@ -69,7 +69,7 @@ inline QStringList cutTexts(QWidget& root) {
   };
   for (QWidget* each : visibleIn(root)) {
     if (const auto* label = qobject_cast<const QLabel*>(each)) {
-      if (label->text().isEmpty() || qobject_cast<const ElidedLabel*>(each) != nullptr) continue;
+      if (label->text().isEmpty() || qobject_cast<const EllipsisLabel*>(each) != nullptr) continue;
       if (label->wordWrap()) {
         const int wanted = label->heightForWidth(label->width());
         if (label->height() + 2 < wanted) say(*each, label->text(), wanted, label->height());

@@ -94,9 +94,9 @@ inline bool waitUntil(const std::function<bool()>& ready, double patience_ms = t
 }
 
 inline std::vector<std::uint8_t> pixelsOf(const Session& session) {
-  const ImageView<const std::uint8_t> picture = session.picture().grey;
+  const ImageView<const std::uint8_t> image = session.image().grey;
   std::vector<std::uint8_t> pixels;
-  for (int y = 0; y < picture.height; ++y) pixels.insert(pixels.end(), picture.row(y), picture.row(y) + picture.width);
+  for (int y = 0; y < image.height; ++y) pixels.insert(pixels.end(), image.row(y), image.row(y) + image.width);
   return pixels;
 }
 
@@ -127,7 +127,7 @@ class WindowFixture : public QObject {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QApplication::setActiveWindow(window_.get());  // the test screen has no window manager that would do it
-    session().frames().setAdaptive(false);         // how fast frames are made here must not choose the pictures that are compared
+    session().frames().setAdaptive(false);         // how fast frames are made here must not choose the images that are compared
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
     QVERIFY(openCase(folder));
     QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));

@@ -98,10 +98,10 @@ class TrackedScanTest final : public WindowFixture {
     return waitUntil([&] { return isLive() && session().frames().framesMade() > before + 3; });
   }
   [[nodiscard]] QImage viewed() const { return window_->scanView().grab().toImage().convertToFormat(QImage::Format_RGB32); }
-  /// Mean grey of what is shown of the picture, beside the words in its middle.
+  /// Mean grey of what is shown of the image, beside the words in its middle.
   [[nodiscard]] double light() const {
     const QImage image = viewed();
-    const QRect box = window_->scanView().pictureRect();
+    const QRect box = window_->scanView().imageRect();
     const QRect part(box.left() + box.width() / 3, box.bottom() - box.height() / 4, box.width() / 3, box.height() / 6);
     double sum = 0.0;
     for (int y = part.top(); y < part.bottom(); ++y)
@@ -141,8 +141,8 @@ class TrackedScanTest final : public WindowFixture {
     session().probeControl().setHold(turned(before, 0.5, 0.0, 0.0));
     QVERIFY(goesOn());
     QCOMPARE(session().probeControl().mover(), ProbeControl::Mover::tracker);
-    QVERIFY2(session().frames().latency().count() > 3, "pictures of readings are timed");
-    qInfo("from measurement to picture: median %.1f ms, 95 %% %.1f ms, of %llu", 1e-3 * session().frames().latency().quantile_us(0.5),
+    QVERIFY2(session().frames().latency().count() > 3, "images of readings are timed");
+    qInfo("from measurement to image: median %.1f ms, 95 %% %.1f ms, of %llu", 1e-3 * session().frames().latency().quantile_us(0.5),
           1e-3 * session().frames().latency().quantile_us(0.95), static_cast<unsigned long long>(session().frames().latency().count()));
     // Without a tracker the hand goes on where it was last.
     const glm::dvec4 there = session().shownState().pose.probeToWorld.matrix[3];
@@ -151,7 +151,7 @@ class TrackedScanTest final : public WindowFixture {
     QVERIFY(!session().probeControl().handRests());
   }
 
-  void everyStateHasAPictureOfItsOwnAndNoneLooksLive() {
+  void everyStateHasAnImageOfItsOwnAndNoneLooksLive() {
     startTracker();
     QVERIFY(goesOn());
     const double live = light();
@@ -180,7 +180,7 @@ class TrackedScanTest final : public WindowFixture {
     const QImage frozen = viewed();
     for (const QImage& other : seen) QVERIFY(frozen != other);
     keepScreenshot(*window_, "tracked-frozen");
-    QVERIFY2(light() > 0.7 * live, "a frozen picture keeps its light");
+    QVERIFY2(light() > 0.7 * live, "a frozen image keeps its light");
   }
 
   void aLossCanBeFrozenAndRunsOn() {
@@ -192,13 +192,13 @@ class TrackedScanTest final : public WindowFixture {
     const auto pixels = pixelsOf(session());
     session().setFrozen(true);
     QVERIFY(session().isFrozen() && !session().probeControl().isLost());
-    QVERIFY2(session().picturePose() == last, "frozen is what was seen last, with its pose");
+    QVERIFY2(session().imagePose() == last, "frozen is what was seen last, with its pose");
     QCOMPARE(pixelsOf(session()), pixels);
     session().setFrozen(false);
     QVERIFY2(waitUntil([&] { return session().probeControl().isLost(); }), "it is still lost");
-    // A window of another size still shows the picture from before, as pale.
+    // A window of another size still shows the image from before, as pale.
     window_->resize(1400, 800);
-    QVERIFY(waitUntil([&] { return session().probeControl().isLost() && session().picture().width() == session().pictureSize_px().x; }));
+    QVERIFY(waitUntil([&] { return session().probeControl().isLost() && session().image().width() == session().imageSize_px().x; }));
     QVERIFY(session().shownState().pose == last);
     bringBack();
     QVERIFY(goesOn());
@@ -218,7 +218,7 @@ class TrackedScanTest final : public WindowFixture {
     const auto before = session().frames().framesMade();
     // A drag in the image.
     ScanView& scan = window_->scanView();
-    const QPoint middle = scan.pictureRect().center();
+    const QPoint middle = scan.imageRect().center();
     QTest::mousePress(&scan, Qt::LeftButton, {}, middle);
     QMouseEvent drag(QEvent::MouseMove, middle + QPoint(30, 0), Qt::LeftButton, Qt::LeftButton, {});
     QApplication::sendEvent(&scan, &drag);
@@ -245,7 +245,7 @@ class TrackedScanTest final : public WindowFixture {
     startTracker();
     QVERIFY(goesOn());
     const Pose elsewhere{.probeToWorld = {moved({30.0, 0.0, 0.0})}};
-    session().probeControl().follow(std::make_shared<PosePath>(std::vector<TimedPose>{{0.0, elsewhere}}));
+    session().probeControl().follow(std::make_shared<PosePath>(std::vector<PoseSample>{{0.0, elsewhere}}));
     QCOMPARE(session().probeControl().mover(), ProbeControl::Mover::plugin);
     QVERIFY(waitUntil([&] { return session().shownState().pose == elsewhere; }));
     bring(TrackingState::outOfView);
@@ -262,10 +262,10 @@ class TrackedScanTest final : public WindowFixture {
     QVERIFY(goesOn());
     bring(TrackingState::lost);
     QVERIFY(openCase(files_.writeCase(QStringLiteral("another"))));
-    QVERIFY(waitUntil(
-        [&] { return session().probeControl().mover() == ProbeControl::Mover::handMeanwhile && !session().picture().isEmpty(); }));
+    QVERIFY(
+        waitUntil([&] { return session().probeControl().mover() == ProbeControl::Mover::handMeanwhile && !session().image().isEmpty(); }));
     QVERIFY2(!session().probeControl().isLost() && !session().probeControl().handRests(),
-             "there was no picture of this case that could be shown as lost");
+             "there was no image of this case that could be shown as lost");
     bringBack();
     QVERIFY(goesOn());
   }
@@ -279,7 +279,7 @@ class TrackedScanTest final : public WindowFixture {
     Recorder& recorder = window_->recorder();
     recorder.start("window-test");
     std::vector<std::vector<std::uint8_t>> seen;
-    const auto look = connect(&session(), &Session::pictureChanged, this, [&] {
+    const auto look = connect(&session(), &Session::imageChanged, this, [&] {
       if (!session().probeControl().isLost() && !session().isFrozen()) seen.push_back(pixelsOf(session()));
     });
     QVERIFY(waitUntil([&] { return seen.size() > 12; }));
@@ -289,7 +289,7 @@ class TrackedScanTest final : public WindowFixture {
     const std::size_t before = seen.size();
     bringBack();
     QVERIFY(waitUntil([&] { return seen.size() > before + 12; }));
-    const glm::ivec2 size(session().picture().width(), session().picture().height());
+    const glm::ivec2 size(session().image().width(), session().image().height());
     disconnect(look);
     const auto recording = recorder.stop();
     QVERIFY(recording != nullptr);
@@ -304,7 +304,7 @@ class TrackedScanTest final : public WindowFixture {
       QVERIFY(shown < seen.size());
       for (int y = 0; y < again.height; ++y)
         QVERIFY2(std::equal(again.row(y), again.row(y) + again.width, seen[shown].data() + std::ptrdiff_t{y} * again.width),
-                 qPrintable(QStringLiteral("picture %1, row %2").arg(shown).arg(y)));
+                 qPrintable(QStringLiteral("image %1, row %2").arg(shown).arg(y)));
       ++shown;
     }
     QCOMPARE(shown, seen.size());
@@ -326,7 +326,7 @@ class TrackedScanTest final : public WindowFixture {
              session().probeControl().face()->away_mm > 40.0;
     }));
     QTest::qWait(100);
-    QVERIFY2(light() < 0.1 * live, "the picture is dark below the near field");
+    QVERIFY2(light() < 0.1 * live, "the image is dark below the near field");
     keepScreenshot(*window_, "tracked-air");
     path_ = [this](double) { return glm::rotate(moved({0.0, 2.0, 0.0}), 3.1, glm::dvec3(0.0, 0.0, 1.0)); };
     QVERIFY(waitUntil([&] { return session().probeControl().face() && session().probeControl().face()->how == FaceOnSkin::looksAway; }));
@@ -361,9 +361,9 @@ class TrackedScanTest final : public WindowFixture {
     };
     QVERIFY(waitUntil([&] { return hear() > 0; }));
     QVERIFY(waitUntil([&] { return said.count() == 1; }));
-    const std::uint64_t pictures = session().frames().framesMade();
-    QVERIFY(waitUntil([&] { return hear() >= 6; }));  // without a change of the picture there was one alone
-    QCOMPARE(session().frames().framesMade(), pictures);
+    const std::uint64_t images = session().frames().framesMade();
+    QVERIFY(waitUntil([&] { return hear() >= 6; }));  // without a change of the image there was one alone
+    QCOMPARE(session().frames().framesMade(), images);
     for (const ToolReading& each : heard) QCOMPARE(each.state, TrackingState::live);
     client->stop();
     QVERIFY(waitUntil([&] { return said.count() == 2 && server.status().clients == 0; }));

@@ -107,11 +107,11 @@ class TrackerJourneyTest : public WindowFixture {
     QVERIFY(films_->writeChess(film("chess.avi")));
     play(film("chess.avi"));
     trackers().use(camera_);
-    QVERIFY(lookUntil("the picture", [this] { return inStep<TrackerCameraPicture>("trackerCamera")->hasPicture(); }));
+    QVERIFY(lookUntil("the image", [this] { return inStep<TrackerCameraView>("trackerCamera")->hasImage(); }));
     QVERIFY(lookUntil("the camera step", [this] { return wizard()->current().isDone(); }));
     keepScreenshot(*wizard(), "journey-2-camera");
     goOn();
-    QVERIFY(lookUntil("four kept pictures", [this] { return dynamic_cast<TrackerLensStep&>(wizard()->current()).views() >= 4; }));
+    QVERIFY(lookUntil("four kept images", [this] { return dynamic_cast<TrackerLensStep&>(wizard()->current()).views() >= 4; }));
     keepScreenshot(*wizard(), "journey-3-lens");
     QVERIFY(lookUntil("the lens", [this] { return wizard()->current().isDone(); }));
     keepScreenshot(*wizard(), "journey-3-lens-done");
@@ -125,7 +125,7 @@ class TrackerJourneyTest : public WindowFixture {
     QVERIFY(films_->writePaper(film("hold.avi"), {heldAt(landmark("navel")), heldAt(landmark("navel") + glm::dvec3(20.0, -60.0, 20.0))}));
     play(film("hold.avi"));
     QVERIFY(lookUntil("the body", [this] { return wizard()->current().isDone(); }));
-    QVERIFY(inStep<TrackerCameraPicture>("trackerCamera")->outlineCount() >= 2);
+    QVERIFY(inStep<TrackerCameraView>("trackerCamera")->outlineCount() >= 2);
     keepScreenshot(*wizard(), "journey-4-hold");
     goOn();
   }
@@ -136,7 +136,7 @@ class TrackerJourneyTest : public WindowFixture {
     const std::string places[] = {"xiphoid", "navel", "iliac-spine-left", "costal-margin-right"};  // that this camera sees well
     for (std::size_t n = 0; n < 4; ++n) {
       const std::string& place = places[n];
-      Q_EMIT inStep<TrackerBodyPicture>("trackerBody")->chosen(QString::fromStdString(place));
+      Q_EMIT inStep<TrackerBodyDrawing>("trackerBody")->chosen(QString::fromStdString(place));
       QCOMPARE(step.next(), place);
       const std::string file = film(qPrintable(QStringLiteral("touch%1.avi").arg(n)));
       QVERIFY(films_->writePaper(file, {heldAt(landmark(place))}));
@@ -173,7 +173,7 @@ class TrackerJourneyTest : public WindowFixture {
     QVERIFY(waitUntil([this] { return wizard() == nullptr || !wizard()->isVisible(); }));
   }
 
-  /// From a picture's arrival at the program to the scan on the screen, with a film as the camera: what a camera itself takes is not in it.
+  /// From an image's arrival at the program to the scan on the screen, with a film as the camera: what a camera itself takes is not in it.
   void sayLatency() {
     const auto& latency = session().frames().latency();
     QVERIFY(waitUntil([&] { return latency.count() >= 30; }));

@@ -8,7 +8,7 @@
 #include "ew/core/progress.h"
 #include "ew/io/image_file.h"
 #include "ew/library/case.h"
-#include "ew/scanning/first_picture.h"
+#include "ew/scanning/first_image.h"
 #include "ew/ui_test_door/start.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
@@ -36,7 +36,7 @@ Volume patterned(const glm::ivec3& dims, double spacing_mm, const glm::dvec3& or
 struct Expected {
   Case opened;
   CaseEcho echo;
-  std::vector<std::uint8_t> picture;  ///< of a window that has opened nothing else
+  std::vector<std::uint8_t> image;  ///< of a window that has opened nothing else
 };
 
 }  // namespace
@@ -117,7 +117,7 @@ class EveryCaseTest : public WindowFixture {
     window_ = std::make_unique<MainWindow>();
     window_->resize(1280, 720);
     window_->show();
-    session().frames().setAdaptive(false);  // the pictures of two windows are compared, whatever the machine does beside
+    session().frames().setAdaptive(false);  // the images of two windows are compared, whatever the machine does beside
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
     QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }, kPatience_ms));
   }
@@ -154,11 +154,11 @@ class EveryCaseTest : public WindowFixture {
     const auto begun = firstState(*subject, there_.probes, there_.presets);
     QVERIFY2(begun && session().console().probe().id == begun->probe.id, qPrintable(what));
     QVERIFY2(session().console().knobs() == begun->knobs, qPrintable(what));
-    session().makePictureNow();
-    const std::vector<std::uint8_t> picture = pixelsOf(session());
-    QVERIFY2(std::any_of(picture.begin(), picture.end(), [](std::uint8_t level) { return level > 0; }), qPrintable(what));
-    // Noise is another one in every picture.
-    if (!expected.picture.empty() && !session().console().scene().noise) QVERIFY2(picture == expected.picture, qPrintable(what));
+    session().makeImageNow();
+    const std::vector<std::uint8_t> image = pixelsOf(session());
+    QVERIFY2(std::any_of(image.begin(), image.end(), [](std::uint8_t level) { return level > 0; }), qPrintable(what));
+    // Noise is another one in every image.
+    if (!expected.image.empty() && !session().console().scene().noise) QVERIFY2(image == expected.image, qPrintable(what));
   }
 
  private Q_SLOTS:
@@ -187,7 +187,7 @@ class EveryCaseTest : public WindowFixture {
       showEmptyWindow();
       openAndLook(index, QStringLiteral("nothing"));
       if (QTest::currentTestFailed()) return;
-      expected_[index].picture = pixelsOf(session());
+      expected_[index].image = pixelsOf(session());
       window_.reset();
     }
   }
@@ -210,17 +210,17 @@ class EveryCaseTest : public WindowFixture {
       const ScanSubject subject = *session().subject();
       auto state = firstState(subject, there_.probes, there_.presets);
       QVERIFY2(state.has_value(), qPrintable(what));
-      session().setPictureSize(kWidth, kHeight);
+      session().setImageSize(kWidth, kHeight);
       session().play(*state);
-      session().makePictureNow();
+      session().makeImageNow();
       const std::vector<std::uint8_t> inWindow = pixelsOf(session());
       QCOMPARE(inWindow.size(), std::size_t{kWidth * kHeight});
       QVERIFY2(std::any_of(inWindow.begin(), inWindow.end(), [](std::uint8_t level) { return level > 0; }), qPrintable(what));
       ScanState neutral = *state;
       neutral.knobs = Knobs();
       session().play(neutral);
-      session().setPictureSize(kWidth, kHeight);  // another depth had fitted it to the view again
-      session().makePictureNow();
+      session().setImageSize(kWidth, kHeight);  // another depth had fitted it to the view again
+      session().makeImageNow();
       const std::vector<std::uint8_t> inSheet = pixelsOf(session());
       session().play({});
 

@@ -103,7 +103,7 @@ class JourneysTest : public WindowFixture {
     const QImage within = window_->scanView().grab().toImage();
     const auto wordsIn = [this](const QImage& shown) {
       // Without the sliders and the scale, which stand in the corners.
-      const QRect box = window_->scanView().pictureRect().adjusted(88, 0, -64, 0);
+      const QRect box = window_->scanView().imageRect().adjusted(88, 0, -64, 0);
       int lit = 0;
       for (int y = box.top(); y < box.bottom(); ++y)
         for (int x = box.left(); x < box.right(); ++x) lit += qGray(shown.pixel(x, y)) > 60 ? 1 : 0;
@@ -112,15 +112,15 @@ class JourneysTest : public WindowFixture {
     Knobs silent = session().console().knobs();
     silent.gain = 0.0;
     session().console().setKnobs(silent);
-    session().makePictureNow();
-    QVERIFY2(wordsIn(window_->scanView().grab().toImage()) < 100, "a picture turned down to black is not beside the volume");
+    session().makeImageNow();
+    QVERIFY2(wordsIn(window_->scanView().grab().toImage()) < 100, "an image turned down to black is not beside the volume");
     session().console().setKnobs(Knobs{});
     Hold away = session().probeControl().hold();
     away.contact.point_mm.z -= 700.0;
     session().probeControl().setHold(away);
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(!session().seesVolume());
-    QVERIFY2(wordsIn(window_->scanView().grab().toImage()) > 300, "nothing tells a user why the picture is black");
+    QVERIFY2(wordsIn(window_->scanView().grab().toImage()) > 300, "nothing tells a user why the image is black");
   }
 
   void aSlowBodyDoesNotHoldUpTheScan() {

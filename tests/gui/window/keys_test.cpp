@@ -262,12 +262,12 @@ class KeysTest : public ConsoleFixture {
     closeDialog();
     for (int n = 0; n < 4; ++n) {
       session().probeControl().setHold(turned(session().probeControl().hold(), 0.02, 0.0, 0.0));
-      session().makePictureNow();
+      session().makeImageNow();
     }
     const Hold before = session().probeControl().hold();
     pressInScan(Qt::Key_Q);
     QVERIFY(!(session().probeControl().hold() == before));
-    session().makePictureNow();
+    session().makeImageNow();
     pressInScan(Qt::Key_F);
     QVERIFY(window_->cineBar().isOpen());
     QVERIFY(window_->cineBar().review().frame() > 0);

@@ -237,24 +237,24 @@ class LibraryTest final : public WindowFixture {
   }
 
   /// Prints how long a person waits; what is checked does not depend on the machine.
-  /// A case that has to be made first has the picture it brings with it, without the words below; one that is no such picture is none.
-  void aCaseThatIsNotPreparedShowsThePictureItBrings() {
+  /// A case that has to be made first has the image it brings with it, without the words below; one that is no such image is none.
+  void aCaseThatIsNotPreparedShowsTheImageItBrings() {
     const QString folder = own() + QStringLiteral("/drawn");
     test::makeSmallCase(folder.toStdString());
-    QImage brought(kCardPictureWidth_px, kCardPictureHeight_px + kCardStripHeight_px, QImage::Format_RGB32);
+    QImage brought(kCardImageWidth_px, kCardImageHeight_px + kCardStripHeight_px, QImage::Format_RGB32);
     for (int y = 0; y < brought.height(); ++y)
       for (int x = 0; x < brought.width(); ++x) brought.setPixel(x, y, qRgb(x % 251, y % 241, (x + y) % 239));
     const QString file = folder + QStringLiteral("/card.png");
     const auto shown = [&] {
       CaseDetails details;
-      QSignalSpy pictures(&details, &CaseDetails::pictureRead), rested(&details, &CaseDetails::rested);
+      QSignalSpy images(&details, &CaseDetails::imageRead), rested(&details, &CaseDetails::rested);
       details.want({folder});
       if (rested.isEmpty() && !rested.wait(static_cast<int>(test::kPatience_ms))) qFatal("the case was not read");
-      return pictures.isEmpty() ? QImage() : pictures.front().at(1).value<QImage>().convertToFormat(QImage::Format_RGB32);
+      return images.isEmpty() ? QImage() : images.front().at(1).value<QImage>().convertToFormat(QImage::Format_RGB32);
     };
     QVERIFY2(shown().isNull(), "nothing was brought");
     QVERIFY(brought.save(file, "PNG"));
-    QCOMPARE(shown(), brought.copy(0, 0, kCardPictureWidth_px, kCardPictureHeight_px));
+    QCOMPARE(shown(), brought.copy(0, 0, kCardImageWidth_px, kCardImageHeight_px));
     QVERIFY(brought.copy(0, 0, 300, 200).save(file, "PNG"));
     QVERIFY2(shown().isNull(), "another size");
     QVERIFY(brought.save(file, "JPG"));
@@ -265,7 +265,7 @@ class LibraryTest final : public WindowFixture {
     QVERIFY(prepared && prepareCase(*prepared, {}, noProgress()));
     const QImage made = shown();
     QVERIFY(!made.isNull());
-    QVERIFY(made != brought.copy(0, 0, kCardPictureWidth_px, kCardPictureHeight_px));
+    QVERIFY(made != brought.copy(0, 0, kCardImageWidth_px, kCardImageHeight_px));
   }
 
   /// The case that is opened may be the first of those that are made behind: it is not made twice at once, and the others follow.

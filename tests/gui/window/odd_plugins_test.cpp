@@ -188,7 +188,7 @@ class OddPluginsTest final : public testing::WindowFixture {
 
 int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(ew::ui::testing::windowFormat());
-  ew::ui::GuardedApplication app(argc, argv);
+  ew::ui::SafeApplication app(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationName(QStringLiteral("EchoWeave tests"));
   ew::ui::OddPluginsTest test;

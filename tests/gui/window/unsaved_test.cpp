@@ -17,7 +17,7 @@
 #include <thread>
 
 #include "ew/library/case.h"
-#include "ew/library/kept_edits.h"
+#include "ew/library/edit_autosave.h"
 #include "ew/ui_test_door/import.h"
 #include "ew/ui_test_door/start.h"
 #include "gui/support/answers.h"
@@ -359,7 +359,7 @@ class UnsavedTest : public WindowFixture {
     // As a crash leaves them: what a program keeps, in a folder that no program holds.
     const QString root = files_.path(QStringLiteral("data/echoweave/unsaved-cases"));
     const auto leave = [&](const std::string& title) {
-      KeptEdits program(root.toStdString());
+      EditAutosave program(root.toStdString());
       auto read = readCase(folder_.toStdString());
       QVERIFY(read.has_value());
       read->opened.title = title;

@@ -197,8 +197,8 @@ class UsabilityTest : public UsabilityFixture {
   void aWindowReadFromTheRightIsMirroredButNotItsImages() {
     showWindow(QStringLiteral("en"));
     const QPoint scan = inWindow(&window_->scanView()).center(), console = inWindow(&window_->console()).center();
-    session().makePictureNow();
-    const std::vector<std::uint8_t> picture = pixelsOf(session());
+    session().makeImageNow();
+    const std::vector<std::uint8_t> image = pixelsOf(session());
     const QSize size = window_->scanView().size();
     const QImage shown = window_->scanView().grab(QRect(0, 60, size.width(), size.height() - 120)).toImage();
     QVERIFY(scan.x() < console.x());
@@ -207,8 +207,8 @@ class UsabilityTest : public UsabilityFixture {
     QVERIFY(inWindow(&window_->scanView()).center().x() > inWindow(&window_->console()).center().x());
     QVERIFY(inWindow(&window_->view3d()).center().x() > inWindow(&window_->scanView()).center().x());
     QCOMPARE(window_->scanView().size(), size);
-    session().makePictureNow();
-    QVERIFY(pixelsOf(session()) == picture);
+    session().makeImageNow();
+    QVERIFY(pixelsOf(session()) == image);
     const QImage mirrored = window_->scanView().grab(QRect(0, 60, size.width(), size.height() - 120)).toImage();
     QVERIFY2(mirrored.copy(90, 0, size.width() - 180, mirrored.height()) == shown.copy(90, 0, size.width() - 180, shown.height()),
              "image, marker and sliders stay at their sides");

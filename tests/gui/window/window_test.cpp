@@ -66,13 +66,13 @@ class WindowTest : public WindowFixture {
   void init() { showWindowWithCase(files_.writeCase(QStringLiteral("case"))); }
   void cleanup() { window_.reset(); }
 
-  void gainAndDgcChangeThePictureAsEquation5Says() {
+  void gainAndDgcChangeTheImageAsEquation5Says() {
     const std::vector<std::uint8_t> before = pixelsOf(session());
     QVERIFY(std::count_if(before.begin(), before.end(), [](std::uint8_t v) { return v > 0; }) > 10000);
     find<QSlider>("gain")->setValue(130);
     find<QSlider>("dgc2")->setValue(40);
     find<QSlider>("dgc7")->setValue(180);
-    session().makePictureNow();
+    session().makeImageNow();
     const std::vector<std::uint8_t> after = pixelsOf(session());
     const DisplayGeometry& geometry = session().geometry();
     const Knobs& knobs = session().console().knobs();
@@ -88,7 +88,7 @@ class WindowTest : public WindowFixture {
     }
     // What the session holds is what the screen shows, pixel for pixel.
     const QImage shown = window_->scanView().grab().toImage();
-    const QPoint corner = window_->scanView().pictureRect().topLeft();
+    const QPoint corner = window_->scanView().imageRect().topLeft();
     const int middleX = geometry.width / 2;
     for (int y = geometry.height / 4; y < 3 * geometry.height / 4; ++y) {
       const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(geometry.width) + static_cast<std::size_t>(middleX);
@@ -96,13 +96,13 @@ class WindowTest : public WindowFixture {
     }
     QTest::mouseClick(find<QPushButton>("dgcReset"), Qt::LeftButton);
     find<QSlider>("gain")->setValue(100);
-    session().makePictureNow();
+    session().makeImageNow();
     QCOMPARE(pixelsOf(session()), before);
   }
 
   void draggingTheProbeChangesTheSliceAndTheFanTogether() {
     const std::vector<std::uint8_t> before = pixelsOf(session());
-    const Pose poseBefore = session().picturePose();
+    const Pose poseBefore = session().imagePose();
     View3D& view = window_->view3d();
     view.renderNow();
     const QPoint from = view.pixelOf(session().probeControl().hold().contact.point_mm).toPoint();
@@ -113,9 +113,9 @@ class WindowTest : public WindowFixture {
     QApplication::sendEvent(canvas, &move);
     QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, to);
     QVERIFY(waitUntil([&] {
-      return glm::distance(glm::dvec3(session().picturePose().probeToWorld.matrix[3]), glm::dvec3(poseBefore.probeToWorld.matrix[3])) > 3.0;
+      return glm::distance(glm::dvec3(session().imagePose().probeToWorld.matrix[3]), glm::dvec3(poseBefore.probeToWorld.matrix[3])) > 3.0;
     }));
-    const Pose pose = session().picturePose();
+    const Pose pose = session().imagePose();
     QVERIFY(waitUntil([&] { return pixelsOf(session()) != before; }));
     const std::vector<glm::dvec3> fan_mm = view.scene().fanCorners_mm();
     const std::vector<glm::dvec2> outline_mm =
@@ -129,7 +129,7 @@ class WindowTest : public WindowFixture {
     const auto dotIsAt = [this] {
       const QImage shown = window_->scanView().grab().toImage();
       const QRgb accent = scanTheme().accent.rgb();
-      const QRect box = window_->scanView().pictureRect();
+      const QRect box = window_->scanView().imageRect();
       double sum = 0.0;
       int count = 0;
       for (int y = box.top() - 20; y < box.center().y(); ++y) {
@@ -148,7 +148,7 @@ class WindowTest : public WindowFixture {
     const QString tipBefore = flip->toolTip();
     QTest::keyClick(&window_->scanView(), Qt::Key_X);
     QVERIFY(waitUntil([flip] { return flip->isChecked(); }));
-    session().makePictureNow();
+    session().makeImageNow();
     QVERIFY(!session().geometry().markerLeft && flip->isChecked());
     QVERIFY(flip->toolTip() != tipBefore);
     QVERIFY(dotIsAt() > 20.0);
@@ -159,7 +159,7 @@ class WindowTest : public WindowFixture {
       for (std::size_t x = 0; x < width; ++x) QVERIFY(std::abs(usual[y * width + x] - flipped[y * width + width - 1 - x]) <= 1);
     }
     QTest::mouseClick(flip, Qt::LeftButton);
-    session().makePictureNow();
+    session().makeImageNow();
     QCOMPARE(pixelsOf(session()), usual);
   }
 
@@ -213,7 +213,7 @@ class WindowTest : public WindowFixture {
     document.history().undo();
   }
 
-  void freezeHoldsThePictureWhileTheHandMovesAndRefusesTheKnobs() {
+  void freezeHoldsTheImageWhileTheHandMovesAndRefusesTheKnobs() {
     QTest::keyClick(&window_->scanView(), Qt::Key_F);
     QVERIFY(session().isFrozen());
     const std::vector<std::uint8_t> held = pixelsOf(session());
@@ -374,7 +374,7 @@ class WindowTest : public WindowFixture {
     }
     QTest::keyClick(window_.get(), Qt::Key_Escape);
     QCOMPARE(window_->messages().count(), 0);
-    // The picture has the room of before again, and shows the same.
+    // The image has the room of before again, and shows the same.
     QTRY_COMPARE_WITH_TIMEOUT(pixelsOf(session()), before, static_cast<int>(test::kPatience_ms));
   }
 
@@ -391,7 +391,7 @@ class WindowTest : public WindowFixture {
   void runningWorkAndMessagesCoverNothingAndMoveNothing() {
     const auto onScreen = [](const QWidget* widget) { return QRect(widget->mapToGlobal(QPoint(0, 0)), widget->size()); };
     ScanView& scan = window_->scanView();
-    const QRect scanBefore = onScreen(&scan), imageBefore = scan.pictureRect(), freezeBefore = onScreen(find<QPushButton>("freeze"));
+    const QRect scanBefore = onScreen(&scan), imageBefore = scan.imageRect(), freezeBefore = onScreen(find<QPushButton>("freeze"));
     const auto idle = [](Progress& progress) -> Result<void> {
       while (!progress.cancelRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
       return failure(ErrorCode::cancelled, verbatim("Stopped."));
@@ -407,7 +407,7 @@ class WindowTest : public WindowFixture {
     window_->messages().showError(QStringLiteral("Something cannot be read; choose something else."));
     QTest::qWait(20);
     QCOMPARE(onScreen(&scan), scanBefore);
-    QCOMPARE(scan.pictureRect(), imageBefore);
+    QCOMPARE(scan.imageRect(), imageBefore);
     QCOMPARE(onScreen(find<QPushButton>("freeze")), freezeBefore);
     QVERIFY2(!onScreen(&window_->messages()).intersects(imageBefore.translated(scanBefore.topLeft())), "the message lies on the image");
     QVERIFY(!onScreen(&window_->messages()).intersects(onScreen(&window_->console())));

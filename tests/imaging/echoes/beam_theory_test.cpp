@@ -51,7 +51,7 @@ Lines linesOf(const TissueMaps& maps, const Shot& shot, const glm::dmat4& probeT
   FrameInput input = inputOf(maps);
   if (shot.labels != nullptr) input.labels = shot.labels->view();
   input.pose.probeToWorld.matrix = probeToWorld;
-  [[maybe_unused]] const Picture picture = maker.make(input);
+  [[maybe_unused]] const DisplayImage image = maker.make(input);
   Lines made{maker.beamGrid(), {}};
   for (const float level : maker.beamLevels().pixels)
     made.power.push_back(std::pow(10.0, kRange_db / 2550.0 * (static_cast<double>(level) - 255.0)));
@@ -287,7 +287,7 @@ TEST(BeamTheory, TissueTakesItsDecibelsByDepthAndFrequency) {
   }
 }
 
-/// A cylinder across the picture, 50 mm deep on the axis, within even tissue.
+/// A cylinder across the image, 50 mm deep on the axis, within even tissue.
 TissueMaps cylinderIn(double level, double radius_mm) {
   return tissueOf([=](const glm::dvec3& p) { return std::hypot(p.x, p.y - 50.0) < radius_mm ? level : kTissueLevel; }, 0.5);
 }

@@ -45,12 +45,12 @@ struct Spot {
   glm::dvec2 at_mm{0.0};
   double level = 0.0;
 };
-/// The brightest pixel of a picture.
-Spot brightestOf(const GreyImage& picture, const Shot& shot) {
-  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, picture.width, picture.height, {});
-  const auto brightest = std::max_element(picture.pixels.begin(), picture.pixels.end()) - picture.pixels.begin();
-  const int x = static_cast<int>(brightest % picture.width), y = static_cast<int>(brightest / picture.width);
-  return {geometry.probePoint_mm(x, y), static_cast<double>(picture.pixels[static_cast<std::size_t>(brightest)])};
+/// The brightest pixel of an image.
+Spot brightestOf(const GreyImage& image, const Shot& shot) {
+  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, image.width, image.height, {});
+  const auto brightest = std::max_element(image.pixels.begin(), image.pixels.end()) - image.pixels.begin();
+  const int x = static_cast<int>(brightest % image.width), y = static_cast<int>(brightest / image.width);
+  return {geometry.probePoint_mm(x, y), static_cast<double>(image.pixels[static_cast<std::size_t>(brightest)])};
 }
 
 bool has(const Plan& plan, StepKind kind) {
@@ -62,11 +62,11 @@ TEST(Compounding, KeepsTheLevelAndTakesGrainAsSoManyIndependentImagesDo) {
   for (Probe probe : {testing::live::convex(), linear()}) {
     Shot shot;
     shot.probe = std::move(probe);
-    const std::vector<double> once = levelsBetween(pictureOf(maps, shot), shot, 30.0, 70.0, 8.0);
-    const std::vector<double> three = levelsBetween(pictureOf(maps, compounded(3, shot)), shot, 30.0, 70.0, 8.0);
+    const std::vector<double> once = levelsBetween(imageOf(maps, shot), shot, 30.0, 70.0, 8.0);
+    const std::vector<double> three = levelsBetween(imageOf(maps, compounded(3, shot)), shot, 30.0, 70.0, 8.0);
     EXPECT_NEAR((meanOf(three) - meanOf(once)) / kGreyPerDb, 0.0, 0.6) << shot.probe.id;
     EXPECT_NEAR(deviationOf(three) / deviationOf(once), 1.0 / std::sqrt(3.0), 0.05) << shot.probe.id;
-    const std::vector<double> five = levelsBetween(pictureOf(maps, compounded(5, shot)), shot, 30.0, 70.0, 8.0);
+    const std::vector<double> five = levelsBetween(imageOf(maps, compounded(5, shot)), shot, 30.0, 70.0, 8.0);
     EXPECT_NEAR(deviationOf(five) / deviationOf(once), 1.0 / std::sqrt(5.0), 0.06) << shot.probe.id;
   }
 }
@@ -79,7 +79,7 @@ TEST(Compounding, SeesEverythingWhereItLies) {
       Shot shot;
       shot.probe = probe;
       shot.scene.liveEchoes->gain_db = -3.0;
-      const Spot once = brightestOf(pictureOf(ball, shot), shot), three = brightestOf(pictureOf(ball, compounded(3, shot)), shot);
+      const Spot once = brightestOf(imageOf(ball, shot), shot), three = brightestOf(imageOf(ball, compounded(3, shot)), shot);
       EXPECT_LT(glm::distance(three.at_mm, once.at_mm), 1.0) << probe.id << " " << at_mm.x << " " << at_mm.y;
       // Speckle of the ball differs from direction to direction; beside one another they would all be 20 dB darker.
       EXPECT_GT(three.level, once.level - 9.0 * kGreyPerDb) << probe.id << " " << at_mm.x << " " << at_mm.y;
@@ -93,7 +93,7 @@ TEST(Compounding, BrightensWhatLeansAwayFromTheFace) {
     Shot shot = compounded(angles);
     shot.probe = linear();
     shot.scene.sliceThickness.reset();
-    const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, 50.0, 70.0, 4.0);
+    const std::vector<double> levels = levelsBetween(imageOf(maps, shot), shot, 50.0, 70.0, 4.0);
     return *std::max_element(levels.begin(), levels.end());
   };
   for (const double side : {-1.0, 1.0})
@@ -121,7 +121,7 @@ TEST(Compounding, EndsAShadowWhereAllDirectionsPassWhatThrowsIt) {
     shot.scene.tissues = {{.label = 1, .name = "tissue", .attenuation_dbPerCmMhz = 0.0},
                           {.label = 2, .name = "stone", .attenuation_dbPerCmMhz = 10.0}};
     shot = compounded(angles, shot);
-    return meanOf(levelsBetween(pictureOf(maps, shot), shot, depth_mm - 3.0, depth_mm + 3.0, 1.5));
+    return meanOf(levelsBetween(imageOf(maps, shot), shot, depth_mm - 3.0, depth_mm + 3.0, 1.5));
   };
   const double free = 170.0;
   // 6 mm beside the middle, 10 degrees: the sides meet 34 mm below the stone.
@@ -138,10 +138,10 @@ TEST(Compounding, IsTheSamePixelsOnEveryTargetAndWithAnyNumberOfThreads) {
     shot.probe = std::move(probe);
     shot.scene.liveEchoes = LiveEchoesEffect{};
     shot.scene.noise = NoiseEffect{};
-    const GreyImage one = pictureOf(maps, shot);
+    const GreyImage one = imageOf(maps, shot);
     shot.threads = 3;
-    EXPECT_EQ(pictureOf(maps, shot), one) << shot.probe.id;
-    testing::onEveryTarget([&](const char* target) { EXPECT_EQ(pictureOf(maps, shot), one) << shot.probe.id << " " << target; });
+    EXPECT_EQ(imageOf(maps, shot), one) << shot.probe.id;
+    testing::onEveryTarget([&](const char* target) { EXPECT_EQ(imageOf(maps, shot), one) << shot.probe.id << " " << target; });
   }
 }
 
@@ -175,16 +175,16 @@ TEST(Compounding, HasNoStepWhereADirectionEnds) {
   shot.probe = linear();
   shot.knobs.depth_mm = 60.0;
   shot.knobs.compoundAngles = 3;
-  const GreyImage picture = pictureOf(maps, shot);
-  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, picture.width, picture.height, {});
+  const GreyImage image = imageOf(maps, shot);
+  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, image.width, image.height, {});
   const int middle = static_cast<int>(std::lround(geometry.face_px.x)), aside = static_cast<int>(15.0 / geometry.pixel_mm);
-  // From row to row the picture changes as its grain does. Two of the three end at 60 mm cos 8.5 degrees.
+  // From row to row the image changes as its grain does. Two of the three end at 60 mm cos 8.5 degrees.
   std::vector<double> before, there;
-  for (int y = 0; y + 1 < picture.height; ++y) {
+  for (int y = 0; y + 1 < image.height; ++y) {
     const double depth_mm = geometry.probePoint_mm(middle, y).y;
     double squares = 0.0;
     for (int x = middle - aside; x < middle + aside; ++x)
-      squares += std::pow(static_cast<double>(viewOf(picture).at(x, y + 1)) - viewOf(picture).at(x, y), 2.0);
+      squares += std::pow(static_cast<double>(viewOf(image).at(x, y + 1)) - viewOf(image).at(x, y), 2.0);
     if (depth_mm > 58.8 && depth_mm < 59.15) before.push_back(std::sqrt(squares));
     if (depth_mm > 59.15 && depth_mm < 59.5) there.push_back(std::sqrt(squares));
   }
@@ -200,8 +200,8 @@ TEST(Compounding, ForgetsTheOtherDirectionsWhenItIsSwitchedOff) {
     Knobs knobs;
     knobs.compoundAngles = angles;
     maker.configure(once.probe, knobs, once.scene, maps.grid, 320, 256, false, {}, true);
-    const Picture picture = maker.make(input);
-    return std::vector<std::uint8_t>(picture.grey.data, picture.grey.data + 320 * 256);
+    const DisplayImage image = maker.make(input);
+    return std::vector<std::uint8_t>(image.grey.data, image.grey.data + 320 * 256);
   };
   const auto one = made(1), three = made(3), five = made(5);
   EXPECT_NE(one, three);
@@ -244,7 +244,7 @@ TEST(Harmonics, GrowWithDepthAndAreAsBrightAsTheCarrierAtHalfOfIt) {
     Shot once, harmonic;
     once.knobs.carrier_hz = harmonic.knobs.carrier_hz = carrier_hz;
     harmonic.knobs.harmonic = true;
-    const GreyImage usual = pictureOf(maps, once), second = pictureOf(maps, harmonic);
+    const GreyImage usual = imageOf(maps, once), second = imageOf(maps, harmonic);
     const auto grown = [carrier_hz](double depth_mm) { return depth_mm / (depth_mm + 57.0 * 1.54e6 / carrier_hz); };
     for (const double depth_mm : {12.0, 20.0, 60.0, 105.0}) {
       const double found_db = (meanOf(levelsBetween(second, harmonic, depth_mm - 3.0, depth_mm + 3.0, 25.0)) -
@@ -262,16 +262,16 @@ TEST(Harmonics, AreSentByABeamOfHalfTheFrequencyWhichTheirSquareNarrows) {
     Shot shot;
     shot.probe.lines = 400;
     shot.knobs.harmonic = isHarmonic;
-    const GreyImage picture = pictureOf(maps, shot);
-    const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, picture.width, picture.height, {});
+    const GreyImage image = imageOf(maps, shot);
+    const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, image.width, image.height, {});
     const auto shift = 4;
     std::vector<double> here, there;
-    for (int y = 0; y < picture.height; ++y)
-      for (int x = shift; x < picture.width; ++x) {
+    for (int y = 0; y < image.height; ++y)
+      for (int x = shift; x < image.width; ++x) {
         const glm::dvec2 p = geometry.probePoint_mm(x, y);
         if (p.y < 55.0 || p.y > 65.0 || std::abs(p.x) > 14.0) continue;
         const auto intensityAt = [&](int column) {
-          return std::pow(10.0, picture.pixels[static_cast<std::size_t>(y * picture.width + column)] / kGreyPerDb / 10.0);
+          return std::pow(10.0, image.pixels[static_cast<std::size_t>(y * image.width + column)] / kGreyPerDb / 10.0);
         };
         here.push_back(intensityAt(x));
         there.push_back(intensityAt(x - shift));
@@ -290,7 +290,7 @@ TEST(Harmonics, LeaveFluidDarkerBesideBrightTissueAndAreNearerToTheNoise) {
     Shot shot;
     shot.scene.liveEchoes->haze_db = -20.0;
     shot.knobs.harmonic = isHarmonic;
-    return meanOf(levelsBetween(pictureOf(maps, shot), shot, 55.0, 65.0, 1.0));
+    return meanOf(levelsBetween(imageOf(maps, shot), shot, 55.0, 65.0, 1.0));
   };
   EXPECT_NEAR((fluidOf(true) - fluidOf(false)) / kGreyPerDb, -10.0, 1.5);
 
@@ -299,7 +299,7 @@ TEST(Harmonics, LeaveFluidDarkerBesideBrightTissueAndAreNearerToTheNoise) {
     Shot shot;
     shot.scene.noise = NoiseEffect{.atFace_db = -35.0, .growth_dbPerCmMhz = 0.0};
     shot.knobs.harmonic = isHarmonic;
-    return meanOf(levelsBetween(pictureOf(nothing, shot), shot, 20.0, 100.0));
+    return meanOf(levelsBetween(imageOf(nothing, shot), shot, 20.0, 100.0));
   };
   EXPECT_NEAR((noiseOf(true) - noiseOf(false)) / kGreyPerDb, 10.0, 0.5);
 }
@@ -313,8 +313,8 @@ TEST(Harmonics, DoNotActOnARecordedVolume) {
     Knobs knobs;
     knobs.harmonic = isHarmonic;
     maker.configure(testing::live::convex(), knobs, plainScene(), maps.grid, 320, 256, false, {}, true, true);
-    const Picture picture = maker.make(input);
-    return std::vector<std::uint8_t>(picture.grey.data, picture.grey.data + 320 * 256);
+    const DisplayImage image = maker.make(input);
+    return std::vector<std::uint8_t>(image.grey.data, image.grey.data + 320 * 256);
   };
   EXPECT_EQ(made(true), made(false));
 }

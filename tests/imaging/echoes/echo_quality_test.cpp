@@ -124,10 +124,10 @@ std::vector<double> levelsOf(const TissueMaps& maps, const Scene& scene, Quality
   knobs.quality = quality;
   knobs.greyMap = GreyMap::linear;
   maker.configure(probeOf(ProbeKind::linear), knobs, scene, maps.grid, 200, 200, false, {}, true);
-  const Picture picture = maker.make(inputOf(maps));
+  const DisplayImage image = maker.make(inputOf(maps));
   std::vector<double> levels;
   for (int y = 40; y < 160; ++y)
-    for (int x = 60; x < 140; ++x) levels.push_back(picture.grey.at(x, y));
+    for (int x = 60; x < 140; ++x) levels.push_back(image.grey.at(x, y));
   return levels;
 }
 
@@ -149,16 +149,16 @@ TEST(EchoQuality, FormsTheSameGrainAtEveryPrice) {
   EXPECT_LT(correlation(usual, levelsOf(maps, scene, Quality::linear)), 0.3);
 }
 
-TEST(EchoQuality, ShowsTheLevelsOnBeamsThatThePictureIsMadeOf) {
+TEST(EchoQuality, ShowsTheLevelsOnBeamsThatTheImageIsMadeOf) {
   const TissueMaps maps = evenTissue();
   FrameMaker maker;
   const Probe probe = probeOf(ProbeKind::linear);
   EXPECT_TRUE(maker.beamGrid().lines.empty());
   maker.configure(probe, {}, liveScene(), maps.grid, 64, 64, false, {}, true);
-  const Picture picture = maker.make(inputOf(maps));
+  const DisplayImage image = maker.make(inputOf(maps));
   ASSERT_EQ(maker.beamLevels().width, probe.lines);
   ASSERT_EQ(maker.beamLevels().height, maker.beamGrid().samples);
-  EXPECT_GT(picture.grey.width, 0);
+  EXPECT_GT(image.grey.width, 0);
   // Neutral slices need no beams.
   maker.configure(probe, {}, Scene{}, maps.grid, 64, 64);
   EXPECT_TRUE(maker.beamGrid().lines.empty());

@@ -17,11 +17,11 @@ namespace {
 
 using namespace testing::live;
 
-/// Pictures of the same place, moved between them.
+/// Images of the same place, moved between them.
 double correlationWhenMoved(const TissueMaps& maps, Shot shot, const glm::dmat4& moved, double from_mm = 55.0, double to_mm = 85.0) {
-  const std::vector<double> still = levelsBetween(pictureOf(maps, shot), shot, from_mm, to_mm);
+  const std::vector<double> still = levelsBetween(imageOf(maps, shot), shot, from_mm, to_mm);
   shot.probeToWorld = moved;
-  return correlation(still, levelsBetween(pictureOf(maps, shot), shot, from_mm, to_mm));
+  return correlation(still, levelsBetween(imageOf(maps, shot), shot, from_mm, to_mm));
 }
 
 TEST(LiveEchoes, HaveTheLevelOfTheTissueAtEveryDepthAndWithAnyNumberOfLooks) {
@@ -29,9 +29,9 @@ TEST(LiveEchoes, HaveTheLevelOfTheTissueAtEveryDepthAndWithAnyNumberOfLooks) {
   Shot shot;
   for (const int looks : {1, 3, 5}) {
     shot.scene.liveEchoes->looks = looks;
-    const GreyImage picture = pictureOf(maps, shot);
+    const GreyImage image = imageOf(maps, shot);
     for (const double depth_mm : {20.0, 45.0, 70.0, 95.0})
-      EXPECT_NEAR((meanOf(levelsBetween(picture, shot, depth_mm, depth_mm + 20.0)) - 150.0) / kGreyPerDb, 0.0, 0.7)
+      EXPECT_NEAR((meanOf(levelsBetween(image, shot, depth_mm, depth_mm + 20.0)) - 150.0) / kGreyPerDb, 0.0, 0.7)
           << looks << " " << depth_mm;
   }
 }
@@ -41,7 +41,7 @@ TEST(LiveEchoes, AreFullyDevelopedSpeckle) {
   Shot shot;
   shot.probe.lines = 400;  // what lies between lines is a mean of their levels
   std::vector<double> amplitudes;
-  for (const double level : levelsBetween(pictureOf(maps, shot), shot, 30.0, 110.0, 40.0))
+  for (const double level : levelsBetween(imageOf(maps, shot), shot, 30.0, 110.0, 40.0))
     amplitudes.push_back(std::pow(10.0, (level - 255.0) / kGreyPerDb / 20.0));
   const double mean = meanOf(amplitudes);
   double square = 0.0;
@@ -83,11 +83,11 @@ TEST(LiveEchoes, HaveFinerGrainAtAHigherFrequency) {
   Shot shot;
   const auto axialCorrelation = [&](double carrier_hz) {
     shot.knobs.carrier_hz = carrier_hz;
-    const GreyImage picture = pictureOf(maps, shot);
-    GreyImage lower = picture;
-    const auto shift = static_cast<std::ptrdiff_t>(picture.width);
-    std::copy(picture.pixels.begin() + shift, picture.pixels.end(), lower.pixels.begin());
-    return correlation(levelsBetween(picture, shot, 55.0, 85.0), levelsBetween(lower, shot, 55.0, 85.0));
+    const GreyImage image = imageOf(maps, shot);
+    GreyImage lower = image;
+    const auto shift = static_cast<std::ptrdiff_t>(image.width);
+    std::copy(image.pixels.begin() + shift, image.pixels.end(), lower.pixels.begin());
+    return correlation(levelsBetween(image, shot, 55.0, 85.0), levelsBetween(lower, shot, 55.0, 85.0));
   };
   EXPECT_GT(axialCorrelation(2.5e6), axialCorrelation(3.5e6) + 0.03);
   EXPECT_GT(axialCorrelation(3.5e6), axialCorrelation(5e6) + 0.03);
@@ -99,13 +99,13 @@ TEST(LiveEchoes, AreTheSamePixelsOnEveryTargetAndWithAnyNumberOfThreads) {
   Shot shot;
   shot.scene.liveEchoes = LiveEchoesEffect{};
   shot.scene.noise = NoiseEffect{};
-  const GreyImage one = pictureOf(maps, shot);
+  const GreyImage one = imageOf(maps, shot);
   for (const int threads : {2, 8}) {
     shot.threads = threads;
-    EXPECT_EQ(pictureOf(maps, shot), one) << threads;
+    EXPECT_EQ(imageOf(maps, shot), one) << threads;
   }
   shot.threads = 1;
-  testing::onEveryTarget([&](const char* target) { EXPECT_EQ(pictureOf(maps, shot), one) << target; });
+  testing::onEveryTarget([&](const char* target) { EXPECT_EQ(imageOf(maps, shot), one) << target; });
 }
 
 TEST(LiveEchoes, AreBrighterWhereTheBeamIsFocusedAsItsEnergySays) {
@@ -114,7 +114,7 @@ TEST(LiveEchoes, AreBrighterWhereTheBeamIsFocusedAsItsEnergySays) {
   const auto meanNear = [&](double focus_mm, double at_mm) {
     Shot shot;
     shot.knobs.focus_mm = focus_mm;
-    return meanOf(levelsBetween(pictureOf(tissue, shot), shot, at_mm - 5.0, at_mm + 5.0, 30.0));
+    return meanOf(levelsBetween(imageOf(tissue, shot), shot, at_mm - 5.0, at_mm + 5.0, 30.0));
   };
   // The energy of a Gaussian beam as wide as an apodised aperture's, two-way with dynamic reception, written out once more.
   const auto brightness_db = [&](double focus_mm, double at_mm) {
@@ -135,14 +135,14 @@ TEST(LiveEchoes, KeepTheirScatterersAndTheirUsualBrightnessWhateverTheFocus) {
   const TissueMaps tissue = tissueOf([](const glm::dvec3&) { return 140.0; });
   Shot shot, half;
   half.knobs.focus_mm = 60.0;
-  EXPECT_EQ(pictureOf(tissue, half), pictureOf(tissue, shot)) << "half of the depth is the usual focus";
+  EXPECT_EQ(imageOf(tissue, half), imageOf(tissue, shot)) << "half of the depth is the usual focus";
   for (const double carrier_hz : {2.5e6, 3.5e6, 5e6}) {
     Shot usual, turned;
     usual.knobs.carrier_hz = turned.knobs.carrier_hz = carrier_hz;
     turned.knobs.focus_mm = 40.0;
-    EXPECT_GT(correlation(levelsBetween(pictureOf(tissue, usual), usual, 20.0, 110.0),
-                          levelsBetween(pictureOf(tissue, turned), turned, 20.0, 110.0)),
-              0.7)
+    EXPECT_GT(
+        correlation(levelsBetween(imageOf(tissue, usual), usual, 20.0, 110.0), levelsBetween(imageOf(tissue, turned), turned, 20.0, 110.0)),
+        0.7)
         << carrier_hz;
   }
   // What comes behind the beam does not know of it.
@@ -151,7 +151,7 @@ TEST(LiveEchoes, KeepTheirScatterersAndTheirUsualBrightnessWhateverTheFocus) {
   noise.scene.noise = NoiseEffect{.atFace_db = -30.0, .growth_dbPerCmMhz = 0.0};
   Shot turned = noise;
   turned.knobs.focus_mm = 20.0;
-  EXPECT_EQ(pictureOf(nothing, turned), pictureOf(nothing, noise));
+  EXPECT_EQ(imageOf(nothing, turned), imageOf(nothing, noise));
 }
 
 TEST(LiveEchoes, OfSurfacesAreBrightenedByTheFocusAsSpeckleIs) {
@@ -162,13 +162,13 @@ TEST(LiveEchoes, OfSurfacesAreBrightenedByTheFocusAsSpeckleIs) {
     Shot shot;
     shot.scene.sliceThickness.reset();
     shot.knobs.focus_mm = focus_mm;
-    const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, 95.0, 105.0, 4.0);
+    const std::vector<double> levels = levelsBetween(imageOf(maps, shot), shot, 95.0, 105.0, 4.0);
     return *std::max_element(levels.begin(), levels.end());
   };
   const auto speckleOf = [&](double focus_mm) {
     Shot shot;
     shot.knobs.focus_mm = focus_mm;
-    return meanOf(levelsBetween(pictureOf(tissue, shot), shot, 95.0, 105.0, 30.0));
+    return meanOf(levelsBetween(imageOf(tissue, shot), shot, 95.0, 105.0, 30.0));
   };
   const double mirror_db = (peakOf(20.0) - peakOf(0.0)) / kGreyPerDb, speckle_db = (speckleOf(20.0) - speckleOf(0.0)) / kGreyPerDb;
   EXPECT_LT(speckle_db, -3.0);
@@ -181,7 +181,7 @@ TEST(LiveEchoes, OfSeveralFociAreAtEachDepthThoseOfTheNarrowest) {
     Shot shot;
     shot.knobs.focus_mm = first_mm;
     shot.knobs.moreFoci_mm[0] = second_mm;
-    return meanOf(levelsBetween(pictureOf(tissue, shot), shot, at_mm - 5.0, at_mm + 5.0, 30.0)) / kGreyPerDb;
+    return meanOf(levelsBetween(imageOf(tissue, shot), shot, at_mm - 5.0, at_mm + 5.0, 30.0)) / kGreyPerDb;
   };
   EXPECT_NEAR(meanNear(25.0, 105.0, 25.0), meanNear(25.0, 0.0, 25.0), 0.2);
   EXPECT_NEAR(meanNear(25.0, 105.0, 105.0), meanNear(105.0, 0.0, 105.0), 0.2);
@@ -195,7 +195,7 @@ TEST(LiveEchoes, MirrorWhereASurfaceLiesSquareToTheBeam) {
     addPlane(maps, {.name = "plane", .echoLevel = 220.0, .rough_db = -60.0}, 60.0, lean_deg * std::numbers::pi / 180.0);
     Shot shot;
     shot.scene.sliceThickness.reset();
-    const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, 50.0, 70.0, 4.0);
+    const std::vector<double> levels = levelsBetween(imageOf(maps, shot), shot, 50.0, 70.0, 4.0);
     return *std::max_element(levels.begin(), levels.end());
   };
   const double square = peakOf(0.0);
@@ -217,7 +217,7 @@ TEST(LiveEchoes, ShowASurfaceThirtyToFortyDegreesOffByWhatIsRoughOfIt) {
     addPlane(maps, {.name = "plane", .echoLevel = 250.0}, 60.0, lean_deg * std::numbers::pi / 180.0);
     Shot shot;
     shot.scene.sliceThickness.reset();
-    const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, 50.0, 70.0, 4.0);
+    const std::vector<double> levels = levelsBetween(imageOf(maps, shot), shot, 50.0, 70.0, 4.0);
     return *std::max_element(levels.begin(), levels.end());
   };
   const double square = peakOf(0.0);
@@ -236,10 +236,10 @@ TEST(LiveEchoes, ShowTissueThatGivesWayToTheFaceWhereTheSceneHasContact) {
   const auto brightestBetween = [&](double plane_mm, double from_mm, double to_mm) {
     maps.surfaces.clear();
     addPlane(maps, {.name = "plane", .echoLevel = 230.0}, plane_mm);
-    const GreyImage picture = pictureOf(maps, shot);
+    const GreyImage image = imageOf(maps, shot);
     double at_mm = 0.0, most = 0.0;
     for (double depth_mm = from_mm; depth_mm < to_mm; depth_mm += 0.1) {
-      const std::vector<double> levels = levelsBetween(picture, shot, depth_mm - 0.15, depth_mm + 0.15, 2.0);
+      const std::vector<double> levels = levelsBetween(image, shot, depth_mm - 0.15, depth_mm + 0.15, 2.0);
       if (!levels.empty() && meanOf(levels) > most) {
         most = meanOf(levels);
         at_mm = depth_mm;
@@ -260,16 +260,16 @@ TEST(LiveEchoes, ShowTheSheetsOfASurfaceOneBehindTheOther) {
   addPlane(maps, {.name = "plane", .echoLevel = 220.0, .sheets = 3, .sheetGap_mm = 2.0}, 60.0);
   Shot shot;
   shot.scene.sliceThickness.reset();
-  const GreyImage picture = pictureOf(maps, shot);
+  const GreyImage image = imageOf(maps, shot);
   const auto peakNear = [&](double depth_mm) {
-    const std::vector<double> levels = levelsBetween(picture, shot, depth_mm - 0.7, depth_mm + 0.7, 4.0);
+    const std::vector<double> levels = levelsBetween(image, shot, depth_mm - 0.7, depth_mm + 0.7, 4.0);
     return *std::max_element(levels.begin(), levels.end());
   };
   // 2.5 dB each, and unevenness of at most 4.
   EXPECT_NEAR((peakNear(60.0) - peakNear(62.0)) / kGreyPerDb, 2.5, 4.5);
   EXPECT_NEAR((peakNear(62.0) - peakNear(64.0)) / kGreyPerDb, 2.5, 4.5);
   EXPECT_LT(peakNear(66.0), peakNear(64.0) - 20.0);
-  EXPECT_LT(meanOf(levelsBetween(picture, shot, 60.8, 61.2, 4.0)), peakNear(60.0) - 20.0) << "dark between them";
+  EXPECT_LT(meanOf(levelsBetween(image, shot, 60.8, 61.2, 4.0)), peakNear(60.0) - 20.0) << "dark between them";
 }
 
 TEST(LiveEchoes, OfACurvedSurfaceAreALineWithoutBeads) {
@@ -283,8 +283,8 @@ TEST(LiveEchoes, OfACurvedSurfaceAreALineWithoutBeads) {
     Shot shot;
     shot.probe.lines = 600;  // what lies between lines is a mean of their levels
     shot.knobs.carrier_hz = carrier_hz;
-    const GreyImage picture = pictureOf(maps, shot);
-    const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, picture.width, picture.height, {});
+    const GreyImage image = imageOf(maps, shot);
+    const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, image.width, image.height, {});
     for (const double side : {-1.0, 1.0}) {
       // Along the surface from 15 to 60 degrees off its top, the brightest within 2 mm of it.
       std::vector<double> along;
@@ -295,7 +295,7 @@ TEST(LiveEchoes, OfACurvedSurfaceAreALineWithoutBeads) {
           const glm::dvec2 at_mm = middle_mm + (kRadius_mm + off_mm) * glm::dvec2(std::sin(angle), -std::cos(angle));
           const glm::dvec2 at_px = geometry.face_px + glm::dvec2(geometry.markerLeft ? -at_mm.x : at_mm.x, at_mm.y) / geometry.pixel_mm;
           const int x = static_cast<int>(std::lround(at_px.x)), y = static_cast<int>(std::lround(at_px.y));
-          most = std::max(most, static_cast<double>(viewOf(picture).at(x, y)));
+          most = std::max(most, static_cast<double>(viewOf(image).at(x, y)));
         }
         along.push_back(std::pow(10.0, most / kGreyPerDb / 20.0));
       }
@@ -323,8 +323,8 @@ TEST(LiveEchoes, LoseWhatTissueTakesBeyondTheMachinesCompensation) {
   shot.scene.attenuation = AttenuationEffect{};
   shot.scene.attenuation->expected_dbPerCmMhz = 0.5;
   shot.scene.tissues = {{.label = 1, .name = "liver", .attenuation_dbPerCmMhz = 0.7}};
-  const GreyImage picture = pictureOf(maps, shot);
-  const double near = meanOf(levelsBetween(picture, shot, 25.0, 35.0)), far = meanOf(levelsBetween(picture, shot, 85.0, 95.0));
+  const GreyImage image = imageOf(maps, shot);
+  const double near = meanOf(levelsBetween(image, shot, 25.0, 35.0)), far = meanOf(levelsBetween(image, shot, 85.0, 95.0));
   // 2 x 0.2 dB/(cm MHz) x 3.5 MHz x 6 cm
   EXPECT_NEAR((near - far) / kGreyPerDb, 8.4, 0.8);
 }
@@ -345,16 +345,16 @@ TEST(LiveEchoes, ThrowAShadowThatSoftensWithDepth) {
   shot.scene.attenuation = AttenuationEffect{};
   shot.scene.tissues = {{.label = 1, .name = "liver", .attenuation_dbPerCmMhz = 0.5},
                         {.label = 2, .name = "stone", .attenuation_dbPerCmMhz = 10.0, .reflection_db = 25.0}};
-  const GreyImage picture = pictureOf(maps, shot);
-  const double before = meanOf(levelsBetween(picture, shot, 25.0, 35.0, 3.0));
-  EXPECT_GT(before - meanOf(levelsBetween(picture, shot, 52.0, 60.0, 3.0)), 20.0 * kGreyPerDb);
-  EXPECT_NEAR(meanOf(levelsBetween(picture, shot, 38.0, 40.5, 3.0)), before, 8.0);  // nothing is lost in front of it
+  const GreyImage image = imageOf(maps, shot);
+  const double before = meanOf(levelsBetween(image, shot, 25.0, 35.0, 3.0));
+  EXPECT_GT(before - meanOf(levelsBetween(image, shot, 52.0, 60.0, 3.0)), 20.0 * kGreyPerDb);
+  EXPECT_NEAR(meanOf(levelsBetween(image, shot, 38.0, 40.5, 3.0)), before, 8.0);  // nothing is lost in front of it
 }
 
 TEST(LiveEchoes, ShadeWithSidesAsSoftAsTheApertureIsWide) {
   const TissueMaps maps = tissueOf([](const glm::dvec3&) { return 220.0; });
   Shot shot;
-  const auto pictureBehind = [&](double edge_mm) {
+  const auto imageBehind = [&](double edge_mm) {
     Volume labels = layersOf(maps, 1000.0);
     for (int k = 0; k < labels.grid.dims.z; ++k)
       for (int j = 0; j < labels.grid.dims.y; ++j)
@@ -366,18 +366,16 @@ TEST(LiveEchoes, ShadeWithSidesAsSoftAsTheApertureIsWide) {
     shot.scene.attenuation = AttenuationEffect{};
     shot.scene.tissues = {{.label = 1, .name = "liver", .attenuation_dbPerCmMhz = 0.5},
                           {.label = 2, .name = "bone", .attenuation_dbPerCmMhz = 0.5, .reflection_db = 60.0}};
-    return pictureOf(maps, shot);
+    return imageOf(maps, shot);
   };
   constexpr double kDepth_mm = 90.0;
-  const auto levelOf = [&](const GreyImage& picture) {
-    return meanOf(levelsBetween(picture, shot, kDepth_mm - 8.0, kDepth_mm + 8.0, 1.5));
-  };
-  const double open = levelOf(pictureBehind(1000.0));
+  const auto levelOf = [&](const GreyImage& image) { return meanOf(levelsBetween(image, shot, kDepth_mm - 8.0, kDepth_mm + 8.0, 1.5)); };
+  const double open = levelOf(imageBehind(1000.0));
   for (const double edge_mm : {-5.0, -2.0, 0.0, 2.0, 5.0, 7.0}) {
     // The edge lies halfway between two voxels; rays come in from the front or through the side.
     const double u = std::clamp((edge_mm - 0.5) / (1.0 - (edge_mm < 0.0 ? 42.5 : 39.5) / kDepth_mm) / shot.probe.aperture_mm, -0.5, 0.5);
     const double seen = 0.5 + (0.35 * u + 0.65 / std::numbers::pi * std::sin(std::numbers::pi * u)) / (0.35 + 1.3 / std::numbers::pi);
-    EXPECT_NEAR((levelOf(pictureBehind(edge_mm)) - open) / kGreyPerDb, 40.0 * std::log10(seen), 1.5) << edge_mm << " mm to the edge";
+    EXPECT_NEAR((levelOf(imageBehind(edge_mm)) - open) / kGreyPerDb, 40.0 * std::log10(seen), 1.5) << edge_mm << " mm to the edge";
   }
 }
 
@@ -391,7 +389,7 @@ TEST(LiveEchoes, TakeGelBeforeTheSkinForWhatItIs) {
     const TissueMaps maps = tissueOf([&](const glm::dvec3& p) { return p.y > gel_mm ? 220.0 : 0.0; }, 0.5);
     const Volume labels = layersOf(maps, 1000.0);
     shot.labels = &labels;
-    return meanOf(levelsBetween(pictureOf(maps, shot), shot, 20.0, 30.0));
+    return meanOf(levelsBetween(imageOf(maps, shot), shot, 20.0, 30.0));
   };
   // 2 x 1.5 dB/(cm MHz) x 3.5 MHz
   EXPECT_NEAR((levelBehind(kGel_mm) - levelBehind(0.0)) / kGreyPerDb, 10.5 * 0.1 * kGel_mm, 0.4);
@@ -411,7 +409,7 @@ TEST(LiveEchoes, PayOnceForASurfaceTheyGraze) {
           for (const glm::dvec2& layer : layers)
             if (const double y = labels.grid.origin_mm.y + j; y >= layer.x && y < layer.y) labels.echo[labels.grid.indexOf(i, j, k)] = 2;
     shot.labels = &labels;
-    return meanOf(levelsBetween(pictureOf(maps, shot), shot, 60.0, 80.0)) / kGreyPerDb;
+    return meanOf(levelsBetween(imageOf(maps, shot), shot, 60.0, 80.0)) / kGreyPerDb;
   };
   const double open = levelBehind({}), once = levelBehind({{30.0, 34.0}});
   EXPECT_NEAR(once - open, -12.0, 0.5);
@@ -437,7 +435,7 @@ TEST(LiveEchoes, CostASceneNothingThatDoesNotAskForThem) {
 }
 
 /// A recorded volume beside maps made of it, seen with a curve that shows decibels as they are.
-GreyImage pictureOfRecorded(const Volume& volume, const TissueMaps& maps, double ownGrain, const Shot& shot) {
+GreyImage imageOfRecorded(const Volume& volume, const TissueMaps& maps, double ownGrain, const Shot& shot) {
   FrameMaker maker(shot.threads);
   Scene scene = shot.scene;
   if (scene.liveEchoes) scene.liveEchoes->ownGrain = ownGrain;
@@ -447,7 +445,7 @@ GreyImage pictureOfRecorded(const Volume& volume, const TissueMaps& maps, double
   input.tissueGrid = maps.grid;
   input.echo = volume.view();
   input.pose.probeToWorld.matrix = shot.probeToWorld;
-  const Picture made = maker.make(input);
+  const DisplayImage made = maker.make(input);
   GreyImage copy(made.width(), made.height());
   for (int y = 0; y < copy.height; ++y) std::copy_n(made.grey.row(y), copy.width, viewOf(copy).row(y));
   return copy;
@@ -471,7 +469,7 @@ TEST(LiveEchoes, OfARecordedVolumesLevelAreAsBrightAsTheTissueWasDrawn) {
   ASSERT_TRUE(level);
   const TissueMaps found = recordedMaps(volume.grid, *level);
   const Shot shot;
-  const GreyImage asDrawn = pictureOf(drawn, shot), asFound = pictureOf(found, shot);
+  const GreyImage asDrawn = imageOf(drawn, shot), asFound = imageOf(found, shot);
   for (const auto& [from_mm, to_mm] : {std::pair{20.0, 44.0}, std::pair{56.0, 90.0}})
     EXPECT_NEAR(meanOf(levelsBetween(asFound, shot, from_mm, to_mm)), meanOf(levelsBetween(asDrawn, shot, from_mm, to_mm)), kGreyPerDb);
 }
@@ -487,26 +485,26 @@ TEST(LiveEchoes, BecomeTheSliceAsMoreOfTheVolumesOwnGrainIsKept) {
   shot.scene.liveEchoes->gain_db = LiveEchoesEffect{}.gain_db;
   shot.knobs.gainLaw = GainLaw::decibel;
   shot.knobs.greyMap = GreyMap::clinical;
-  const auto seen = [&](const GreyImage& picture) { return levelsBetween(picture, shot, 20.0, 100.0); };
-  const std::vector<double> none = seen(pictureOfRecorded(volume, maps, 0.0, shot)),
-                            half = seen(pictureOfRecorded(volume, maps, 0.5, shot)), all = seen(pictureOfRecorded(volume, maps, 1.0, shot));
+  const auto seen = [&](const GreyImage& image) { return levelsBetween(image, shot, 20.0, 100.0); };
+  const std::vector<double> none = seen(imageOfRecorded(volume, maps, 0.0, shot)), half = seen(imageOfRecorded(volume, maps, 0.5, shot)),
+                            all = seen(imageOfRecorded(volume, maps, 1.0, shot));
   // The slice: on beams as well, and with the curve that the volume's grey already has.
   Shot sliced = shot;
   sliced.scene.liveEchoes.reset();
   sliced.scene.sliceThickness.reset();
   sliced.knobs.greyMap = GreyMap::linear;
-  const std::vector<double> slice = seen(pictureOfRecorded(volume, maps, 0.0, sliced));
+  const std::vector<double> slice = seen(imageOfRecorded(volume, maps, 0.0, sliced));
   EXPECT_GT(correlation(all, slice), 0.98);
   EXPECT_NEAR(meanOf(all), meanOf(slice), 2.0);
   const double ofNone = correlation(none, slice), ofHalf = correlation(half, slice);
   EXPECT_LT(ofNone + 0.1, ofHalf);
   EXPECT_LT(ofHalf + 0.1, 0.98);
   shot.threads = 3;
-  EXPECT_TRUE(seen(pictureOfRecorded(volume, maps, 0.5, shot)) == half);
+  EXPECT_TRUE(seen(imageOfRecorded(volume, maps, 0.5, shot)) == half);
   // Recorded tissue has little walls and a texture of its own.
   shot.scene.liveEchoes->fragmentsPerCm3 = 37.0;
   shot.scene.liveEchoes->texture_db = 3.0;
-  EXPECT_TRUE(seen(pictureOfRecorded(volume, maps, 0.5, shot)) == half);
+  EXPECT_TRUE(seen(imageOfRecorded(volume, maps, 0.5, shot)) == half);
 }
 
 TEST(LiveEchoes, TakeUpAVolumesOwnGrainOnlyWhereThereIsARecording) {

@@ -32,7 +32,7 @@ struct Layers {
         {.label = 2, .name = "air", .attenuation_dbPerCmMhz = 12.0, .reflection_db = 40.0, .impedance_mrayl = impedance_mrayl}};
   }
   [[nodiscard]] double meanBetween(double from_mm, double to_mm, double half_mm = 6.0) const {
-    return meanOf(levelsBetween(pictureOf(maps, shot), shot, from_mm, to_mm, half_mm));
+    return meanOf(levelsBetween(imageOf(maps, shot), shot, from_mm, to_mm, half_mm));
   }
 };
 
@@ -85,13 +85,13 @@ TEST(LiveReverberation, RingsDownBehindGasAsFastAsItIsTold) {
 TEST(LiveReverberation, IsDirtyInStripesThatStayWithTheGas) {
   Layers layers(kEven, kGas_mrayl);
   addPlane(layers.maps, {.name = "front", .echoLevel = 250.0, .frontOnly = true}, 60.0);
-  const std::vector<double> here = levelsBetween(pictureOf(layers.maps, layers.shot), layers.shot, 63.0, 80.0, 8.0);
+  const std::vector<double> here = levelsBetween(imageOf(layers.maps, layers.shot), layers.shot, 63.0, 80.0, 8.0);
   double mean = meanOf(here), square = 0.0;
   for (const double level : here) square += (level - mean) * (level - mean);
   EXPECT_GT(std::sqrt(square / static_cast<double>(here.size())), 3.0 * kGreyPerDb);
   // Patches lie in the tissue: a probe that slides by 8 mm sees the same ones 8 mm farther.
   layers.shot.probeToWorld[3].x = 0.05;
-  const std::vector<double> moved = levelsBetween(pictureOf(layers.maps, layers.shot), layers.shot, 63.0, 80.0, 8.0);
+  const std::vector<double> moved = levelsBetween(imageOf(layers.maps, layers.shot), layers.shot, 63.0, 80.0, 8.0);
   EXPECT_GT(correlation(here, moved), 0.9);
 }
 
@@ -114,7 +114,7 @@ TEST(LiveReverberation, RepeatsThePleuraAtTwiceItsDepth) {
   shot.scene.reverberation = ReverberationEffect{.shadowHaze_db = -60.0};
   shot.scene.tissues = {{.label = 2, .name = "lung", .reflection_db = 40.0, .impedance_mrayl = kLung_mrayl}};
   const auto peak = [&](double from_mm, double to_mm) {
-    const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, from_mm, to_mm, 2.0);
+    const std::vector<double> levels = levelsBetween(imageOf(maps, shot), shot, from_mm, to_mm, 2.0);
     return *std::max_element(levels.begin(), levels.end());
   };
   const double once = peak(76.0, 84.0);
@@ -129,9 +129,9 @@ TEST(LiveReverberation, LaysClutterIntoFluidBehindABrightWall) {
   Shot shot;
   shot.labels = &labels;
   shot.scene.tissues = {{.label = 1, .name = "wall"}, {.label = 2, .name = "bile", .attenuation_dbPerCmMhz = 0.0}};
-  const double clean = meanOf(levelsBetween(pictureOf(maps, shot), shot, 33.0, 36.0));
+  const double clean = meanOf(levelsBetween(imageOf(maps, shot), shot, 33.0, 36.0));
   shot.scene.reverberation = ReverberationEffect{.shadowHaze_db = -60.0};
-  const GreyImage cluttered = pictureOf(maps, shot);
+  const GreyImage cluttered = imageOf(maps, shot);
   const double near = meanOf(levelsBetween(cluttered, shot, 33.0, 36.0)), far = meanOf(levelsBetween(cluttered, shot, 39.5, 42.5));
   EXPECT_LT(clean, 5.0);
   EXPECT_GT(near, 60.0);
@@ -147,17 +147,17 @@ TEST(LiveReverberation, LaysNoLadderBelowABrightLine) {
   shot.labels = &labels;
   shot.scene.tissues = {{.label = 1, .name = "before"}, {.label = 2, .name = "behind", .attenuation_dbPerCmMhz = 0.0}};
   shot.scene.reverberation = ReverberationEffect{.shadowHaze_db = -60.0};
-  const GreyImage picture = pictureOf(maps, shot);
-  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, picture.width, picture.height, {});
+  const GreyImage image = imageOf(maps, shot);
+  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, image.width, image.height, {});
   // A rung lies at one depth all along: the mean over the lines is as bright there as each of them.
   const int middle = static_cast<int>(std::lround(geometry.face_px.x)), aside = static_cast<int>(12.0 / geometry.pixel_mm);
   std::vector<double> brightest(static_cast<std::size_t>(2 * aside + 1), 0.0);
   double rung = 0.0;
-  for (int y = 0; y < picture.height; ++y) {
+  for (int y = 0; y < image.height; ++y) {
     if (const double depth_mm = geometry.probePoint_mm(middle, y).y; depth_mm < 33.9 || depth_mm > 45.0) continue;
     double sum = 0.0;
     for (int n = 0; n <= 2 * aside; ++n) {
-      const double level = viewOf(picture).at(middle - aside + n, y);
+      const double level = viewOf(image).at(middle - aside + n, y);
       brightest[static_cast<std::size_t>(n)] = std::max(brightest[static_cast<std::size_t>(n)], level);
       sum += level;
     }
@@ -175,13 +175,13 @@ TEST(LiveReverberation, IsTheSameOnEveryTargetAndWithAnyNumberOfThreads) {
   for (const double impedance_mrayl : {kLung_mrayl, kGas_mrayl}) {
     layers.shot.scene.tissues.back().impedance_mrayl = impedance_mrayl;
     layers.shot.threads = 1;
-    const GreyImage one = pictureOf(layers.maps, layers.shot);
+    const GreyImage one = imageOf(layers.maps, layers.shot);
     for (const int threads : {2, 8}) {
       layers.shot.threads = threads;
-      EXPECT_EQ(pictureOf(layers.maps, layers.shot), one) << threads;
+      EXPECT_EQ(imageOf(layers.maps, layers.shot), one) << threads;
     }
     layers.shot.threads = 1;
-    testing::onEveryTarget([&](const char* target) { EXPECT_EQ(pictureOf(layers.maps, layers.shot), one) << target; });
+    testing::onEveryTarget([&](const char* target) { EXPECT_EQ(imageOf(layers.maps, layers.shot), one) << target; });
   }
 }
 
@@ -195,9 +195,9 @@ TEST(SpeckleReduction, FlattensGrainAndKeepsItsMean) {
     for (const double level : levels) square += (level - mean) * (level - mean);
     return std::sqrt(square / static_cast<double>(levels.size()));
   };
-  const std::vector<double> plain = levelsBetween(pictureOf(maps, shot), shot, 40.0, 100.0);
+  const std::vector<double> plain = levelsBetween(imageOf(maps, shot), shot, 40.0, 100.0);
   shot.scene.liveEchoes->speckleReduction = 0.4;
-  const std::vector<double> flat = levelsBetween(pictureOf(maps, shot), shot, 40.0, 100.0);
+  const std::vector<double> flat = levelsBetween(imageOf(maps, shot), shot, 40.0, 100.0);
   EXPECT_NEAR(meanOf(flat), meanOf(plain), 1.0);
   EXPECT_NEAR(spread(flat) / spread(plain), 0.6, 0.08);
   EXPECT_GT(correlation(flat, plain), 0.95);
@@ -208,13 +208,13 @@ TEST(SpeckleReduction, LeavesEdgesAndWhatStandsOut) {
   addPlane(maps, {.name = "wall", .echoLevel = 230.0, .rough_db = -60.0}, 40.0);
   Shot shot;
   const auto peak = [&] {
-    const std::vector<double> levels = levelsBetween(pictureOf(maps, shot), shot, 37.0, 43.0, 3.0);
+    const std::vector<double> levels = levelsBetween(imageOf(maps, shot), shot, 37.0, 43.0, 3.0);
     return *std::max_element(levels.begin(), levels.end());
   };
   const double plain = peak();
   shot.scene.liveEchoes->speckleReduction = 0.8;
   EXPECT_NEAR(peak(), plain, 1.0);
-  EXPECT_LT(meanOf(levelsBetween(pictureOf(maps, shot), shot, 64.0, 70.0)), 2.0);
+  EXPECT_LT(meanOf(levelsBetween(imageOf(maps, shot), shot, 64.0, 70.0)), 2.0);
 }
 
 }  // namespace

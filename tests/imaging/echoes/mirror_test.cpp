@@ -13,7 +13,7 @@
 namespace ew::mirror_test {
 namespace {
 
-TEST(TurnedProbe, SeesTheMirroredPictureToThePixel) {
+TEST(TurnedProbe, SeesTheMirroredImageToThePixel) {
   Volume volume = testing::noiseVolume({120, 140, 100}, 11);
   volume.grid.spacing_mm = {1.3, 1.1, 1.7};
   volume.grid.origin_mm = {-78.0, -20.0, -85.0};
@@ -53,7 +53,7 @@ TEST(TurnedProbe, SeesTheMirroredPictureToThePixel) {
         }
 }
 
-TEST(TurnedProbe, SeesTheMirroredPictureAlsoThroughItsBeams) {
+TEST(TurnedProbe, SeesTheMirroredImageAlsoThroughItsBeams) {
   Volume volume = testing::noiseVolume({120, 140, 100}, 17);
   volume.grid.spacing_mm = {1.3, 1.1, 1.7};
   volume.grid.origin_mm = {-78.0, -20.0, -85.0};

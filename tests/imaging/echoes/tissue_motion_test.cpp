@@ -92,7 +92,7 @@ struct Shot {
 
 constexpr int kWidth = 400, kHeight = 360;
 
-GreyImage pictureOf(const Body& body, const Shot& shot) {
+GreyImage imageOf(const Body& body, const Shot& shot) {
   FrameMaker maker(shot.threads);
   Knobs knobs;
   knobs.greyMap = GreyMap::linear;
@@ -106,7 +106,7 @@ GreyImage pictureOf(const Body& body, const Shot& shot) {
   input.motion = shot.motion;
   input.body = shot.body;
   input.pose.probeToWorld.matrix = shot.probeToWorld;
-  const Picture made = maker.make(input);
+  const DisplayImage made = maker.make(input);
   GreyImage copy(made.width(), made.height());
   for (int y = 0; y < copy.height; ++y) std::copy_n(made.grey.row(y), copy.width, viewOf(copy).row(y));
   return copy;
@@ -127,14 +127,14 @@ Difference differenceOf(const GreyImage& a, const GreyImage& b) {
 }
 
 /// Depth of the brightest sample on the middle line, mm, between two depths.
-double brightest_mm(const GreyImage& picture, double from_mm, double to_mm) {
+double brightest_mm(const GreyImage& image, double from_mm, double to_mm) {
   const DisplayGeometry geometry = fitDisplay(probeOfTest(), {}, kWidth, kHeight, {});
   double best = -1.0, at_mm = 0.0;
-  for (int y = 0; y < picture.height; ++y) {
+  for (int y = 0; y < image.height; ++y) {
     const double depth_mm = geometry.probePoint_mm(kWidth / 2, y).y;
     if (depth_mm < from_mm || depth_mm > to_mm) continue;
     double sum = 0.0;
-    for (int x = kWidth / 2 - 3; x <= kWidth / 2 + 3; ++x) sum += picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
+    for (int x = kWidth / 2 - 3; x <= kWidth / 2 + 3; ++x) sum += image.pixels[static_cast<std::size_t>(y * image.width + x)];
     if (sum > best) {
       best = sum;
       at_mm = depth_mm;
@@ -143,7 +143,7 @@ double brightest_mm(const GreyImage& picture, double from_mm, double to_mm) {
   return at_mm;
 }
 
-TEST(TissueMotion, OfAWholeBodyIsThePictureOfAProbeThatMovesTheOtherWay) {
+TEST(TissueMotion, OfAWholeBodyIsTheImageOfAProbeThatMovesTheOtherWay) {
   const Body body = bodyOf(140, true);
   const glm::dvec3 shift_mm(2.5, -3.25, 1.75);
   const TissueMotion motion = motionOf([&](const glm::dvec3&) { return shift_mm; });
@@ -151,13 +151,13 @@ TEST(TissueMotion, OfAWholeBodyIsThePictureOfAProbeThatMovesTheOtherWay) {
   const glm::dmat4 turned =
       glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(12.0, -7.0, 3.0)), 0.4, glm::normalize(glm::dvec3(1.0, 2.0, 3.0)));
   const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), -0.5 * shift_mm);
-  const GreyImage expected = pictureOf(body, {.probeToWorld = turned * moved, .ownToWorld = turned});
-  const GreyImage seen = pictureOf(body, {.motion = &motion, .body = {.breath = 0.5}, .probeToWorld = turned, .ownToWorld = turned});
+  const GreyImage expected = imageOf(body, {.probeToWorld = turned * moved, .ownToWorld = turned});
+  const GreyImage seen = imageOf(body, {.motion = &motion, .body = {.breath = 0.5}, .probeToWorld = turned, .ownToWorld = turned});
   const Difference difference = differenceOf(seen, expected);
   // Places are rounded in another order: a scatterer in ten thousand falls to the neighbouring row of the fine grid.
   EXPECT_LE(difference.largest, 4);
   EXPECT_LT(difference.share, 0.001);
-  const Difference still = differenceOf(pictureOf(body, {.probeToWorld = turned, .ownToWorld = turned}), expected);
+  const Difference still = differenceOf(imageOf(body, {.probeToWorld = turned, .ownToWorld = turned}), expected);
   EXPECT_GT(still.largest, 60);
   EXPECT_GT(still.share, 0.5);
 }
@@ -174,20 +174,20 @@ TEST(TissueMotion, MovesWhatItMovesAndNothingBesideIt) {
   shot.scene.attenuation.reset();
   shot.scene.liveEchoes->fragmentsPerCm3 = 0.0;
   shot.scene.liveEchoes->speckleReduction = 0.0;
-  const double rest_mm = brightest_mm(pictureOf(wall, shot), 20.0, 70.0);
+  const double rest_mm = brightest_mm(imageOf(wall, shot), 20.0, 70.0);
   EXPECT_NEAR(rest_mm, kSurface_mm, 0.5);
   shot.motion = &motion;
   for (const double breath : {0.25, 0.5, 1.0}) {
     shot.body.breath = breath;
     const double expected_mm = breath * shiftAt({0.0, kSurface_mm, 0.0}).y;
-    EXPECT_NEAR(brightest_mm(pictureOf(wall, shot), 20.0, 70.0) - rest_mm, expected_mm, 0.3) << breath;
+    EXPECT_NEAR(brightest_mm(imageOf(wall, shot), 20.0, 70.0) - rest_mm, expected_mm, 0.3) << breath;
   }
   // Speckle moves with it: beyond what moves it is the same to the pixel.
   const Body tissue = bodyOf(140, false);
   shot.body.breath = 0.0;
-  const GreyImage still = pictureOf(tissue, shot);
+  const GreyImage still = imageOf(tissue, shot);
   shot.body.breath = 1.0;
-  const GreyImage moved = pictureOf(tissue, shot);
+  const GreyImage moved = imageOf(tissue, shot);
   const DisplayGeometry geometry = fitDisplay(probeOfTest(), {}, kWidth, kHeight, {});
   double near = 0.0, far = 0.0;
   for (int y = 0; y < kHeight; ++y) {
@@ -208,17 +208,17 @@ TEST(TissueMotion, AtRestIsNoMotionToThePixel) {
   const TissueMotion motion = motionOf([](const glm::dvec3& p) { return glm::dvec3(0.1 * p.y, 2.0, 1.0); });
   Shot plain;
   plain.scene.motion.reset();
-  const GreyImage expected = pictureOf(body, plain);
-  EXPECT_EQ(pictureOf(body, {}).pixels, expected.pixels);
-  EXPECT_EQ(pictureOf(body, {.motion = &motion}).pixels, expected.pixels);
+  const GreyImage expected = imageOf(body, plain);
+  EXPECT_EQ(imageOf(body, {}).pixels, expected.pixels);
+  EXPECT_EQ(imageOf(body, {.motion = &motion}).pixels, expected.pixels);
   // Moves another way than this field.
-  EXPECT_EQ(pictureOf(body, {.motion = &motion, .body = {.pulse = 1.0, .bowel = 0.3}}).pixels, expected.pixels);
+  EXPECT_EQ(imageOf(body, {.motion = &motion, .body = {.pulse = 1.0, .bowel = 0.3}}).pixels, expected.pixels);
   Shot off{.motion = &motion, .body = {.breath = 1.0}};
-  EXPECT_NE(pictureOf(body, off).pixels, expected.pixels);
+  EXPECT_NE(imageOf(body, off).pixels, expected.pixels);
   off.scene.motion->strength = 0.0;
-  EXPECT_EQ(pictureOf(body, off).pixels, expected.pixels);
+  EXPECT_EQ(imageOf(body, off).pixels, expected.pixels);
   off.scene.motion.reset();
-  EXPECT_EQ(pictureOf(body, off).pixels, expected.pixels);
+  EXPECT_EQ(imageOf(body, off).pixels, expected.pixels);
 }
 
 TEST(TissueMotion, IsTheSameForAnyNumberOfThreadsAndOnEveryInstructionSet) {
@@ -230,13 +230,13 @@ TEST(TissueMotion, IsTheSameForAnyNumberOfThreadsAndOnEveryInstructionSet) {
       motionOf([](const glm::dvec3& p) { return glm::dvec3(0.0, 0.8 * std::sin(0.2 * p.y), 0.0); }, TissueMotion::Kind::pulse)
           .modes.front());
   const Shot shot{.motion = &motion, .body = {.breath = 0.9, .pulse = 0.7}};
-  const GreyImage expected = pictureOf(body, shot);
+  const GreyImage expected = imageOf(body, shot);
   for (const int threads : {2, 8}) {
     Shot shared = shot;
     shared.threads = threads;
-    EXPECT_EQ(pictureOf(body, shared).pixels, expected.pixels) << threads;
+    EXPECT_EQ(imageOf(body, shared).pixels, expected.pixels) << threads;
   }
-  testing::onEveryTarget([&](const char* target) { EXPECT_EQ(pictureOf(body, shot).pixels, expected.pixels) << target; });
+  testing::onEveryTarget([&](const char* target) { EXPECT_EQ(imageOf(body, shot).pixels, expected.pixels) << target; });
 }
 
 TEST(TissueMotion, KnowsWhereABodyStandsAtATime) {

@@ -53,16 +53,16 @@ Knobs decibels(double gain_db, std::array<double, kDgcSliders> tgc_db = {}) {
 }
 
 struct Made {
-  GreyImage picture;
+  GreyImage image;
   DisplayGeometry geometry;
   Spans spans;
 
   /// The mean grey level of the fan.
   [[nodiscard]] double mean() const {
     double sum = 0.0, count = 0.0;
-    for (int y = 0; y < picture.height; ++y)
+    for (int y = 0; y < image.height; ++y)
       for (const RowSpan& span : spans[static_cast<std::size_t>(y)])
-        for (int x = span.begin; x < span.end; ++x, ++count) sum += viewOf(picture).at(x, y);
+        for (int x = span.begin; x < span.end; ++x, ++count) sum += viewOf(image).at(x, y);
     return sum / count;
   }
 };
@@ -72,11 +72,11 @@ Made made(const Volume& volume, const Knobs& knobs, const Scene& scene = {}, int
   maker.configure(convexProbe(), knobs, scene, volume.grid, kSize_px, kSize_px);
   const ImageView<const std::uint8_t> view = maker.make(volume.view(), inTheBody()).grey;
   Made result{GreyImage(kSize_px, kSize_px), maker.geometry(), maker.spans()};
-  std::copy(view.data, view.data + result.picture.pixels.size(), result.picture.pixels.begin());
+  std::copy(view.data, view.data + result.image.pixels.size(), result.image.pixels.begin());
   return result;
 }
 
-/// Along a beam, the depth around which what a picture has more than `plain` lies.
+/// Along a beam, the depth around which what an image has more than `plain` lies.
 double depthOfMost_mm(const Made& bright, double plain, double angle_rad) {
   double sum = 0.0, moment = 0.0;
   for (double depth_mm = 1.0; depth_mm < kDepth_mm - 1.0; depth_mm += 0.25) {
@@ -84,7 +84,7 @@ double depthOfMost_mm(const Made& bright, double plain, double angle_rad) {
     const glm::dvec2 at_mm{radius_mm * std::sin(angle_rad), radius_mm * std::cos(angle_rad) - 60.0};
     const glm::dvec2 at_px =
         bright.geometry.face_px + glm::dvec2(bright.geometry.markerLeft ? -at_mm.x : at_mm.x, at_mm.y) / bright.geometry.pixel_mm;
-    const double more = viewOf(bright.picture).at(static_cast<int>(std::lround(at_px.x)), static_cast<int>(std::lround(at_px.y))) - plain;
+    const double more = viewOf(bright.image).at(static_cast<int>(std::lround(at_px.x)), static_cast<int>(std::lround(at_px.y))) - plain;
     sum += more;
     moment += more * depth_mm;
   }
@@ -96,8 +96,8 @@ TEST(Tgc, InDecibelsActsAtItsDepthAlongEveryBeam) {
   const Made bright = made(body, decibels(0.0, {0, 0, 0, 0, 6, 0, 0, 0}));
   for (const double angle_deg : {0.0, 15.0, -15.0, 25.0, -25.0})
     EXPECT_NEAR(depthOfMost_mm(bright, 100.0, radians(angle_deg)), kDepth_mm * 4.5 / 8.0, 0.5) << angle_deg << " degrees";
-  EXPECT_NEAR(*std::max_element(bright.picture.pixels.begin(), bright.picture.pixels.end()), 100.0 + 6.0 * kGreyPerDb, 0.6);
-  // The paper's acts by rows of the picture: at 25 degrees farther down the beam.
+  EXPECT_NEAR(*std::max_element(bright.image.pixels.begin(), bright.image.pixels.end()), 100.0 + 6.0 * kGreyPerDb, 0.6);
+  // The paper's acts by rows of the image: at 25 degrees farther down the beam.
   Knobs paper;
   paper.dgc[4] = 1.25;
   EXPECT_GT(depthOfMost_mm(made(body, paper), 100.0, radians(25.0)), kDepth_mm * 4.5 / 8.0 + 8.0);
@@ -148,10 +148,10 @@ TEST(Gain, InDecibelsLiftsNoiseByAsMuch) {
 
 constexpr int kBeside_px = 3;  // a sample of a beam and its neighbours
 
-bool isBlackAround(const GreyImage& picture, int x, int y) {
+bool isBlackAround(const GreyImage& image, int x, int y) {
   for (int v = y - kBeside_px; v <= y + kBeside_px; ++v)
     for (int u = x - kBeside_px; u <= x + kBeside_px; ++u)
-      if (viewOf(picture).at(u, v) > 0) return false;
+      if (viewOf(image).at(u, v) > 0) return false;
   return true;
 }
 
@@ -169,8 +169,8 @@ TEST(Gain, InDecibelsLeavesBlackWhatWasNeverRecorded) {
       int black = 0;
       for (int y = kBeside_px; y < kSize_px - kBeside_px; ++y)
         for (int x = kBeside_px; x < kSize_px - kBeside_px; ++x)
-          if (isBlackAround(plain.picture, x, y)) {
-            ASSERT_EQ(viewOf(lifted.picture).at(x, y), 0) << x << ", " << y;
+          if (isBlackAround(plain.image, x, y)) {
+            ASSERT_EQ(viewOf(lifted.image).at(x, y), 0) << x << ", " << y;
             ++black;
           }
       EXPECT_GT(black, 60000);
@@ -225,8 +225,8 @@ TEST(BeamGain, OfBandsIsThatOfTheWholeAndTheSameOnEveryTargetAndAnyThreads) {
   scene.noise.emplace();
   scene.focus.emplace();
   const Made expected = made(body, knobs, scene);
-  for (const int threads : {2, 8}) EXPECT_EQ(made(body, knobs, scene, threads).picture, expected.picture) << threads;
-  testing::onEveryTarget([&](const char* name) { EXPECT_EQ(made(body, knobs, scene).picture, expected.picture) << name; });
+  for (const int threads : {2, 8}) EXPECT_EQ(made(body, knobs, scene, threads).image, expected.image) << threads;
+  testing::onEveryTarget([&](const char* name) { EXPECT_EQ(made(body, knobs, scene).image, expected.image) << name; });
 }
 
 std::string planOf(const Knobs& knobs, const Scene& scene = {}) {
@@ -245,7 +245,7 @@ TEST(PlanInDecibels, AtNeutralIsThatOfThePaperAndHasNoStep) {
   EXPECT_EQ(planOf(decibels(6.0, {1, 2}), without), "display: linear");
   std::mt19937 random(4);
   const Volume body = bodyOf([&](int, int, int) { return random() % 200; });
-  EXPECT_EQ(made(body, decibels(0.0), noise).picture, made(body, {}, noise).picture);
+  EXPECT_EQ(made(body, decibels(0.0), noise).image, made(body, {}, noise).image);
 }
 
 TEST(PlanInDecibels, AmplifiesBehindTheNoiseAndOpensBlackOnlyForWhatIsLifted) {
@@ -281,11 +281,11 @@ TEST(GainLaws, KeepTheValuesOfTheOtherAndDoNothingWithThem) {
   onlyFactors.dgc[2] = 0.5;
   std::mt19937 random(4);
   const Volume body = bodyOf([&](int, int, int) { return random() % 200; });
-  EXPECT_EQ(made(body, both).picture, made(body, onlyDecibels).picture);
+  EXPECT_EQ(made(body, both).image, made(body, onlyDecibels).image);
   both.gainLaw = GainLaw::automatic;
-  EXPECT_EQ(made(body, both).picture, made(body, onlyFactors).picture);
+  EXPECT_EQ(made(body, both).image, made(body, onlyFactors).image);
   both.gainLaw = GainLaw::paper;
-  EXPECT_EQ(made(body, both).picture, made(body, onlyFactors).picture);
+  EXPECT_EQ(made(body, both).image, made(body, onlyFactors).image);
 }
 
 TEST(DynamicRange, TurnsAboutTheGreyOfParenchymaByBothLawsAndForBothKindsOfScene) {
@@ -293,12 +293,12 @@ TEST(DynamicRange, TurnsAboutTheGreyOfParenchymaByBothLawsAndForBothKindsOfScene
   EXPECT_NEAR(shownLevel({.map = usualGreyMap(true)}, middleLevel(true)), kMiddleGrey, 1e-3);
   std::mt19937 random(4);
   const Volume body = bodyOf([&](int, int, int) { return 25.0 + random() % 41; });  // about 45
-  const auto spread = [](const Made& picture) {
-    const double mean = picture.mean();
+  const auto spread = [](const Made& image) {
+    const double mean = image.mean();
     double sum = 0.0, count = 0.0;
-    for (int y = 0; y < picture.picture.height; ++y)
-      for (const RowSpan& span : picture.spans[static_cast<std::size_t>(y)])
-        for (int x = span.begin; x < span.end; ++x, ++count) sum += std::pow(viewOf(picture.picture).at(x, y) - mean, 2.0);
+    for (int y = 0; y < image.image.height; ++y)
+      for (const RowSpan& span : image.spans[static_cast<std::size_t>(y)])
+        for (int x = span.begin; x < span.end; ++x, ++count) sum += std::pow(viewOf(image.image).at(x, y) - mean, 2.0);
     return std::sqrt(sum / count);
   };
   const Made plain = made(body, {});

@@ -13,7 +13,7 @@ namespace {
 Spans wholeSpans(int width, int height) { return Spans(static_cast<std::size_t>(height), {{0, width}}); }
 
 template <class Value>
-GreyImage pictureOf(int width, int height, const Value& value) {
+GreyImage imageOf(int width, int height, const Value& value) {
   GreyImage image(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) viewOf(image).at(x, y) = static_cast<std::uint8_t>(value(x, y));
@@ -32,7 +32,7 @@ TEST(EdgeEnhancement, LeavesConstantsAndRampsAsTheyAre) {
       const GreyImage constant(150, 9, static_cast<std::uint8_t>(grey));
       EXPECT_EQ(enhanced(strength, constant, wholeSpans(150, 9)), constant);
     }
-    const GreyImage ramp = pictureOf(80, 20, [](int x, int y) { return 10 + x + 5 * y; });
+    const GreyImage ramp = imageOf(80, 20, [](int x, int y) { return 10 + x + 5 * y; });
     EXPECT_EQ(enhanced(strength, ramp, wholeSpans(80, 20)), ramp);
   }
 }
@@ -42,7 +42,7 @@ TEST(EdgeEnhancement, OvershootsAStepByFiveAndByOneEighthOfItsHeight) {
     for (const double strength : {0.25, 0.5, 1.0})
       for (const int height : {8, 40, 80}) {
         const auto step = [&](int x, int y) { return 100 + ((upright ? x : y) >= 20 ? height : 0); };
-        const GreyImage out = enhanced(strength, pictureOf(40, 40, step), wholeSpans(40, 40));
+        const GreyImage out = enhanced(strength, imageOf(40, 40, step), wholeSpans(40, 40));
         const auto at = [&](int n) { return static_cast<double>(upright ? viewOf(out).at(n, 15) : viewOf(out).at(15, n)); };
         for (const auto& [from, to, share] : {std::tuple{19, 20, 5.0 / 8.0}, std::tuple{18, 21, 1.0 / 8.0}, std::tuple{17, 22, 0.0}}) {
           EXPECT_NEAR(at(from), 100.0 - share * strength * height, 0.6);
@@ -77,7 +77,7 @@ TEST(EdgeEnhancement, IsItsFormulaWhereTheFanSurroundsAPixelAndTheSamePixelElsew
     const int width = 1 + static_cast<int>(random() % 400), height = 1 + static_cast<int>(random() % 24);
     const Spans spans = anySpans(random, width, height);
     const double strength = (trial % 5) / 4.0;
-    const GreyImage in = pictureOf(width, height, [&](int, int) { return random() % 4 ? random() % 256 : 255 * (random() % 2); });
+    const GreyImage in = imageOf(width, height, [&](int, int) { return random() % 4 ? random() % 256 : 255 * (random() % 2); });
     const GreyImage out = enhanced(strength, in, spans, 99);
     GreyImage inside(width, height);
     for (int y = 0; y < height; ++y)
@@ -109,10 +109,10 @@ TEST(EdgeEnhancement, IsItsFormulaWhereTheFanSurroundsAPixelAndTheSamePixelElsew
   }
 }
 
-TEST(EdgeEnhancement, InBandsOfRowsGivesTheSamePicture) {
+TEST(EdgeEnhancement, InBandsOfRowsGivesTheSameImage) {
   std::mt19937 random(8);
   const Spans spans = anySpans(random, 130, 31);
-  const GreyImage in = pictureOf(130, 31, [&](int, int) { return random() % 256; });
+  const GreyImage in = imageOf(130, 31, [&](int, int) { return random() % 256; });
   GreyImage banded(130, 31);
   for (const auto& [first, rows] : {std::pair{12, 19}, std::pair{0, 1}, std::pair{1, 11}})
     enhanceEdges(0.7, spans, viewOf(in), first, rows, viewOf(banded));
@@ -121,7 +121,7 @@ TEST(EdgeEnhancement, InBandsOfRowsGivesTheSamePicture) {
 
 TEST(EdgeEnhancement, OfAStrengthThatIsNoneCopiesAndOfMoreThanOneIsThatOfOne) {
   std::mt19937 random(9);
-  const GreyImage in = pictureOf(70, 12, [&](int, int) { return random() % 256; });
+  const GreyImage in = imageOf(70, 12, [&](int, int) { return random() % 256; });
   const Spans spans = wholeSpans(70, 12);
   for (const double none : {0.0, -3.0, std::numeric_limits<double>::quiet_NaN()}) EXPECT_EQ(enhanced(none, in, spans), in);
   EXPECT_EQ(enhanced(std::numeric_limits<double>::infinity(), in, spans), enhanced(1.0, in, spans));

@@ -11,12 +11,12 @@
 namespace ew::effects_allocation_test {
 namespace {
 
-TEST(EffectsOnThePicture, AllocateNothingOnceTheirSizeIsKnown) {
+TEST(EffectsOnTheImage, AllocateNothingOnceTheirSizeIsKnown) {
   constexpr int kWidth = 200, kHeight = 150;
   const Spans spans(kHeight, {{20, 90}, {95, 180}});
   const std::vector<double> rows(kHeight, 0.4);
   const std::vector<std::uint8_t> beam(333, 77);
-  GreyImage picture(kWidth, kHeight, 90), sharp = picture;
+  GreyImage image(kWidth, kHeight, 90), sharp = image;
   std::vector<std::uint8_t> table;
   PersistenceMemory memory;
   MModeStrip strip;
@@ -24,7 +24,7 @@ TEST(EffectsOnThePicture, AllocateNothingOnceTheirSizeIsKnown) {
   LatencyHistogram latency;
   const auto frame = [&](int n) {
     buildGainTable(1.0 + 0.01 * n, {1, 1, 2, 1, 1, 1, 1, 1}, {.dynamicRange_db = 50.0 + n, .map = GreyMap::soft}, rows, table);
-    enhanceEdges(0.5, spans, viewOf(picture), 0, kHeight, viewOf(sharp));
+    enhanceEdges(0.5, spans, viewOf(image), 0, kHeight, viewOf(sharp));
     beginPersistence(kWidth, kHeight, memory);
     persist(0.5, spans, 0, kHeight, viewOf(sharp), memory);
     applyGainTable(viewOf(sharp), spans, table);

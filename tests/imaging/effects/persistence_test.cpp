@@ -16,10 +16,10 @@ namespace {
 Spans wholeSpans(int width, int height) { return Spans(static_cast<std::size_t>(height), {{0, width}}); }
 
 GreyImage shownAfter(const GreyImage& next, double share, PersistenceMemory& memory) {
-  GreyImage picture = next;
+  GreyImage image = next;
   beginPersistence(next.width, next.height, memory);
-  persist(share, wholeSpans(next.width, next.height), 0, next.height, viewOf(picture), memory);
-  return picture;
+  persist(share, wholeSpans(next.width, next.height), 0, next.height, viewOf(image), memory);
+  return image;
 }
 
 GreyImage noise(int width, int height, unsigned seed) {
@@ -29,13 +29,13 @@ GreyImage noise(int width, int height, unsigned seed) {
   return image;
 }
 
-TEST(Persistence, ShowsTheFirstPictureAsItIs) {
+TEST(Persistence, ShowsTheFirstImageAsItIs) {
   PersistenceMemory memory;
   const GreyImage first = noise(67, 5, 1);
   EXPECT_EQ(shownAfter(first, 0.9, memory), first);
 }
 
-TEST(Persistence, ReachesAStillPictureToTheLastBitAndStays) {
+TEST(Persistence, ReachesAStillImageToTheLastBitAndStays) {
   for (const double share : {0.0, 1e-6, 0.1, 0.5, 0.77, 0.9, 0.95}) {
     PersistenceMemory memory;
     shownAfter(noise(67, 5, 1), share, memory);
@@ -115,7 +115,7 @@ TEST(Persistence, TouchesThePixelsOfTheSpansAloneAndGivesTheSameInBands) {
     }
 }
 
-TEST(Persistence, OfAShareThatIsNoneShowsEachPictureAsItIs) {
+TEST(Persistence, OfAShareThatIsNoneShowsEachImageAsItIs) {
   for (const double none : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     PersistenceMemory memory;
     shownAfter(noise(67, 5, 1), none, memory);

@@ -218,7 +218,7 @@ TEST(SliceThickness, AVolumeThatIsTheSameAlongElevationStaysTheSame) {
   }
 }
 
-TEST(SliceThickness, TurningTheProbeBy180DegreesMirrorsThePicture) {
+TEST(SliceThickness, TurningTheProbeBy180DegreesMirrorsTheImage) {
   const Volume volume = testing::noiseVolume({90, 60, 81}, 11);
   const BeamGrid grid = fanGrid(34, 50, 1.0);
   const auto planes = makeElevationPlanes(probeWithLens(), 0.0, {}, grid, 7);

@@ -27,7 +27,7 @@ glm::dvec2 pointOf(const DisplayGeometry& shown, glm::dvec2 at_px) {
   return {shown.markerLeft ? -from_mm.x : from_mm.x, shown.upsideDown ? -from_mm.y : from_mm.y};
 }
 
-TEST(BoxZoom, FillsThePictureWithTheBox) {
+TEST(BoxZoom, FillsTheImageWithTheBox) {
   const Probe probe = convex();
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(0.3, 0.7);
@@ -42,7 +42,7 @@ TEST(BoxZoom, FillsThePictureWithTheBox) {
     knobs.zoom = detail.zoom;
     const DisplayGeometry shown = fitDisplay(probe, knobs, 700, 520, detail.pan);
     const glm::dvec2 first = pixelOf(shown, pointOf(whole, a)), second = pixelOf(shown, pointOf(whole, b));
-    // Sideways the picture is panned in whole pixels.
+    // Sideways the image is panned in whole pixels.
     EXPECT_NEAR(0.5 * (first.x + second.x), 349.5, 0.51);
     EXPECT_NEAR(0.5 * (first.y + second.y), 259.5, 0.01);
     EXPECT_NEAR(std::max(std::abs(second.x - first.x) / 700.0, std::abs(second.y - first.y) / 520.0), 1.0, 1e-6);
@@ -62,7 +62,7 @@ TEST(BoxZoom, GoesNoCloserThanTheLargestZoom) {
   const DisplayGeometry whole = fitDisplay(convex(), {}, 700, 520);
   EXPECT_EQ(detailOfBox(whole, {}, {300.0, 200.0}, {301.0, 202.0}).zoom, kLargestZoom);
   EXPECT_EQ(detailOfBox(whole, {8.0, {}}, {0.0, 0.0}, {350.0, 200.0}).zoom, kLargestZoom);
-  EXPECT_EQ(detailOfBox(whole, {2.0, {}}, {-100.0, -100.0}, {900.0, 900.0}).zoom, 2.0) << "a box never makes the picture smaller";
+  EXPECT_EQ(detailOfBox(whole, {2.0, {}}, {-100.0, -100.0}, {900.0, 900.0}).zoom, 2.0) << "a box never makes the image smaller";
 }
 
 }  // namespace

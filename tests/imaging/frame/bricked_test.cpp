@@ -18,7 +18,7 @@ using testing::sliced;
 
 constexpr Quality kQualities[] = {Quality::weave, Quality::linear, Quality::cubic};
 
-BrickedVolume inBricks(const Volume& volume, int levels = 1) {
+BrickVolume inBricks(const Volume& volume, int levels = 1) {
   auto made = bricksOf(volume.view(), levels, 2, noProgress());
   EXPECT_TRUE(made);
   return std::move(*made);
@@ -53,12 +53,12 @@ bool nearBorder(const Grid& grid, const glm::dvec3& p) {
   return false;
 }
 
-TEST(BrickedVolume, GivesThePixelsOfTheVolumeItWasMadeFromWithEveryQuality) {
+TEST(BrickVolume, GivesThePixelsOfTheVolumeItWasMadeFromWithEveryQuality) {
   std::mt19937 random(21);
   for (const glm::ivec3 dims : {glm::ivec3(40, 50, 30), glm::ivec3(13, 14, 15), glm::ivec3(1, 20, 20), glm::ivec3(20, 1, 3),
                                 glm::ivec3(2, 2, 2), glm::ivec3(27, 3, 1), glm::ivec3(1, 1, 1)}) {
     const Volume volume = testing::noiseVolume(dims, 22);
-    const BrickedVolume bricks = inBricks(volume);
+    const BrickVolume bricks = inBricks(volume);
     for (const Quality quality : kQualities)
       for (int trial = 0; trial < 40; ++trial) {
         const ImageToVoxel plane = testing::randomPlane(random, volume.grid, 71, 43, trial % 3 == 0 ? 0.37 : 1.1);
@@ -68,9 +68,9 @@ TEST(BrickedVolume, GivesThePixelsOfTheVolumeItWasMadeFromWithEveryQuality) {
   }
 }
 
-TEST(BrickedVolume, ZoomsInWithTheWeaveToTheSamePixels) {
+TEST(BrickVolume, ZoomsInWithTheWeaveToTheSamePixels) {
   const Volume volume = testing::noiseVolume({40, 50, 30}, 23);
-  const BrickedVolume bricks = inBricks(volume);
+  const BrickVolume bricks = inBricks(volume);
   std::mt19937 random(24);
   for (int trial = 0; trial < 20; ++trial) {
     const ImageToVoxel plane = testing::randomPlane(random, volume.grid, 90, 70, 0.21);
@@ -84,7 +84,7 @@ TEST(BrickedVolume, ZoomsInWithTheWeaveToTheSamePixels) {
 
 TEST(Slicing, EveryInstructionSetGivesTheSamePixels) {
   const Volume volume = testing::noiseVolume({60, 50, 40}, 25);
-  const BrickedVolume bricks = inBricks(volume);
+  const BrickVolume bricks = inBricks(volume);
   std::mt19937 random(26);
   for (int trial = 0; trial < 12; ++trial) {
     const ImageToVoxel plane = testing::randomPlane(random, volume.grid, 83, 61, trial % 2 ? 1.0 : 0.43);
@@ -100,7 +100,7 @@ TEST(Slicing, EveryInstructionSetGivesTheSamePixels) {
 TEST(SliceCubic, EqualsCubicConvolutionInDoublePrecisionWithinOneRoundingAndItsWeights) {
   std::mt19937 random(27);
   const Volume volume = testing::noiseVolume({30, 40, 25}, 28);
-  const BrickedVolume bricks = inBricks(volume);
+  const BrickVolume bricks = inBricks(volume);
   int atTheBorder = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const ImageToVoxel plane = testing::randomPlane(random, volume.grid, 61, 53, trial % 3 == 0 ? 0.3 : 1.0);
@@ -140,7 +140,7 @@ TEST(SliceCubic, ReproducesConstantsAndAwayFromTheFacesRamps) {
   }
 }
 
-TEST(SliceBand, BandsGiveTheWholePictureWithEveryQualityAndZoom) {
+TEST(SliceBand, BandsGiveTheWholeImageWithEveryQualityAndZoom) {
   const Volume volume = testing::noiseVolume({50, 40, 45}, 30);
   std::mt19937 random(31);
   const Spans spans(64, {{0, 80}});
@@ -161,7 +161,7 @@ TEST(SliceBand, BandsGiveTheWholePictureWithEveryQualityAndZoom) {
 TEST(SampleRows, ALineOfAHundredThousandSamplesDriftsByLessThanAMillionthOfAVoxel) {
   constexpr int kSamples = 100000;
   const Volume volume = testing::volumeOf({70000, 2, 2}, [](int i, int, int) { return i % 250; });
-  const BrickedVolume bricks = inBricks(volume);
+  const BrickVolume bricks = inBricks(volume);
   const double step = 0.7 - 1.0 / 3.0e6;
   const SampleRow row{{0.123, 0.2, 0.3}, {step, 1e-6, 0.0}, 0, {0, kSamples}};
   SliceScratch scratch;
@@ -176,21 +176,21 @@ TEST(SampleRows, ALineOfAHundredThousandSamplesDriftsByLessThanAMillionthOfAVoxe
   }
 }
 
-TEST(BrickedVolume, HoldsAsManyBytesAsForecast) {
+TEST(BrickVolume, HoldsAsManyBytesAsForecast) {
   const Volume volume = testing::noiseVolume({45, 33, 21}, 32);
-  const BrickedVolume bricks = inBricks(volume, 3);
+  const BrickVolume bricks = inBricks(volume, 3);
   EXPECT_EQ(bricks.levels(), 3);
   EXPECT_EQ(bricks.bytes(), bricksForecast_bytes(volume.grid.dims, 3));
   EXPECT_LT(static_cast<double>(bricksForecast_bytes({512, 512, 512}, 1)), 1.36 * 512 * 512 * 512);
 }
 
-TEST(BrickedVolume, OfAnEmptyVolumeIsEmptyAndBlack) {
+TEST(BrickVolume, OfAnEmptyVolumeIsEmptyAndBlack) {
   const auto made = bricksOf(VolumeView<const std::uint8_t>{}, 2, 1, noProgress());
   ASSERT_TRUE(made);
   EXPECT_TRUE(made->source({}).empty());
 }
 
-TEST(BrickedVolume, MakingOneStopsWhenAsked) {
+TEST(BrickVolume, MakingOneStopsWhenAsked) {
   class Stopped final : public Progress {
    public:
     void report(const Message&, double) override {}
@@ -201,11 +201,11 @@ TEST(BrickedVolume, MakingOneStopsWhenAsked) {
   EXPECT_EQ(made.error().code, ErrorCode::cancelled);
 }
 
-TEST(BrickedVolume, CoarserLevelsShowTheSameBodyAtTheSamePlace) {
+TEST(BrickVolume, CoarserLevelsShowTheSameBodyAtTheSamePlace) {
   // A ramp in millimetres: its means over 2 x 2 x 2 voxels lie on it again, at the middles of those voxels.
   Volume volume = testing::volumeOf({96, 80, 64}, [](int i, int j, int k) { return i + 0.5 * j + k; }, {0.5, 0.5, 0.5});
   volume.grid.origin_mm = {10.0, -20.0, 5.0};
-  const BrickedVolume bricks = inBricks(volume, 4);
+  const BrickVolume bricks = inBricks(volume, 4);
   for (const auto& [pixel_mm, spacing_mm] :
        {std::pair(0.4, 0.5), std::pair(0.99, 0.5), std::pair(1.0, 1.0), std::pair(2.5, 2.0), std::pair(50.0, 4.0)}) {
     const SliceSource source = bricks.sourceFor(volume.grid, pixel_mm);
@@ -221,10 +221,10 @@ TEST(BrickedVolume, CoarserLevelsShowTheSameBodyAtTheSamePlace) {
   }
 }
 
-TEST(BrickedVolume, ZoomingOutOverACoarserLevelAliasesLessThanUndersampling) {
+TEST(BrickVolume, ZoomingOutOverACoarserLevelAliasesLessThanUndersampling) {
   // Noise has nothing in common from pixel to pixel: its area average over a pixel of 4 voxels is near the mean, single voxels are not.
   const Volume volume = testing::noiseVolume({128, 128, 128}, 34);
-  const BrickedVolume bricks = inBricks(volume, 3);
+  const BrickVolume bricks = inBricks(volume, 3);
   const Transform<frame::World, frame::Image> imageToWorld{glm::scale(glm::dmat4(1.0), glm::dvec3(4.0)) *
                                                            glm::translate(glm::dmat4(1.0), glm::dvec3(1.4, 1.4, 15.4))};
   const auto rmsError = [&](const SliceSource& source) {
@@ -252,7 +252,7 @@ RC_GTEST_PROP(SliceProperty, CubicAndBothLayoutsAgreeForAnyGridAndPlane, ()) {
   const Volume volume = testing::noiseVolume(dims, seed + 1);
   ImageToVoxel plane = testing::randomPlane(random, volume.grid, 30, 20, *rc::gen::inRange(1, 300) / 100.0);
   plane.matrix[*rc::gen::inRange(0, 2)] *= *rc::gen::element(1.0, -1.0, 0.05, 20.0, 0.0);  // mirrored, anisotropic, degenerate
-  const BrickedVolume bricks = inBricks(volume);
+  const BrickVolume bricks = inBricks(volume);
   for (const Quality quality : kQualities)
     RC_ASSERT(sliced(quality, volume.view(), plane, 30, 20) == sliced(quality, bricks.source(volume.grid), plane, 30, 20));
   const GreyImage cubic = sliced(Quality::cubic, bricks.source(volume.grid), plane, 30, 20);

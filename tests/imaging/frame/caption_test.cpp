@@ -8,9 +8,9 @@ namespace ew::caption_test {
 namespace {
 
 TEST(Caption, TouchesOnlyTheLowerEdge) {
-  GreyImage picture(320, 240, 77);
-  burnCaption(viewOf(picture), kNotForDiagnosis);
-  const auto view = viewOf(picture);
+  GreyImage image(320, 240, 77);
+  burnCaption(viewOf(image), kNotForDiagnosis);
+  const auto view = viewOf(image);
   std::size_t changed = 0;
   for (int y = 0; y < 240; ++y)
     for (int x = 0; x < 320; ++x)
@@ -23,9 +23,9 @@ TEST(Caption, TouchesOnlyTheLowerEdge) {
 
 TEST(Caption, CanBeReadOnBlackAndOnWhite) {
   for (const int ground : {0, 255}) {
-    GreyImage picture(320, 240, static_cast<std::uint8_t>(ground));
-    burnCaption(viewOf(picture), kNotForDiagnosis);
-    const auto& pixels = picture.pixels;
+    GreyImage image(320, 240, static_cast<std::uint8_t>(ground));
+    burnCaption(viewOf(image), kNotForDiagnosis);
+    const auto& pixels = image.pixels;
     const auto letters = std::count(pixels.begin(), pixels.end(), 150);
     EXPECT_GT(letters, 200) << ground;
     const auto dark = std::count_if(pixels.begin(), pixels.end(), [](auto v) { return v <= 16; });
@@ -33,15 +33,15 @@ TEST(Caption, CanBeReadOnBlackAndOnWhite) {
   }
 }
 
-TEST(Caption, KeepsEveryLetterOnANarrowPicture) {
+TEST(Caption, KeepsEveryLetterOnANarrowImage) {
   GreyImage wide(640, 480), narrow(kCaptionMinWidth_px, kCaptionMinHeight_px);
   burnCaption(viewOf(wide), kNotForDiagnosis);
   burnCaption(viewOf(narrow), kNotForDiagnosis);
-  const auto letterPixels = [](const GreyImage& picture) { return std::count(picture.pixels.begin(), picture.pixels.end(), 150); };
+  const auto letterPixels = [](const GreyImage& image) { return std::count(image.pixels.begin(), image.pixels.end(), 150); };
   EXPECT_EQ(letterPixels(wide), letterPixels(narrow)) << "nothing is cut off, it is only wrapped";
 }
 
-TEST(Caption, StaysInsideAPictureThatIsFarTooSmall) {
+TEST(Caption, StaysInsideAnImageThatIsFarTooSmall) {
   GreyImage tiny(3, 2);
   burnCaption(viewOf(tiny), kNotForDiagnosis);
   EXPECT_EQ(tiny.pixels.size(), 6u);

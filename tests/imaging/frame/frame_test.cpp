@@ -76,7 +76,7 @@ TEST(FitDisplay, ShowsTheWholeFanAndTouchesTheMarginsOnOneAxis) {
     }
 }
 
-TEST(FitDisplay, ZoomsAboutTheMiddleOfThePicture) {
+TEST(FitDisplay, ZoomsAboutTheMiddleOfTheImage) {
   Knobs knobs;
   const DisplayGeometry whole = fitDisplay(convexProbe(), knobs, 600, 500);
   knobs.zoom = 3.0;
@@ -87,7 +87,7 @@ TEST(FitDisplay, ZoomsAboutTheMiddleOfThePicture) {
   EXPECT_NEAR(glm::length(before - after), 0.0, 1e-9);
 }
 
-TEST(FitDisplay, ShowsThePannedPointInTheMiddleOfAZoomedPictureAndNothingBesideTheFan) {
+TEST(FitDisplay, ShowsThePannedPointInTheMiddleOfAZoomedImageAndNothingBesideTheFan) {
   for (const bool markerLeft : {true, false})
     for (const bool upsideDown : {true, false}) {
       Knobs knobs;
@@ -172,20 +172,20 @@ TEST(FrameMaker, ShowsTheVolumeInsideTheFanAndBlackOutside) {
   FrameMaker maker;
   maker.configure(convexProbe(), {}, {}, volume.grid, 320, 280);
   const Pose pose = poseAt({3.0, -55.0, 4.0}, 0.3);
-  const auto picture = maker.make(volume.view(), pose).grey;
+  const auto image = maker.make(volume.view(), pose).grey;
   EXPECT_EQ(maker.lastStatus(), PoseStatus::ok);
   GreyImage whole(320, 280);
   SliceScratch scratch;
   slice(Quality::linear, volume.view(), volume.grid.worldToVoxel() * pose.probeToWorld * maker.geometry().imageToProbe(), viewOf(whole),
         scratch);
   int shown = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
       const glm::dvec3 p = (maker.geometry().imageToProbe() * Point<frame::Image>{{x, y, 0}}).at;
       const bool surelyInside = isInFan(convexProbe(), maker.geometry().depth_mm, p, -1e-9);
       if (!surelyInside && isInFan(convexProbe(), maker.geometry().depth_mm, p, 1e-9)) continue;
-      ASSERT_EQ(picture.at(x, y), surelyInside ? viewOf(whole).at(x, y) : 0);
-      shown += picture.at(x, y) > 0;
+      ASSERT_EQ(image.at(x, y), surelyInside ? viewOf(whole).at(x, y) : 0);
+      shown += image.at(x, y) > 0;
     }
   EXPECT_GT(shown, 10000);
 }
@@ -228,13 +228,13 @@ TEST(FrameMaker, ShowsTheBrightSideWhereTheMarkerIs) {
   for (const bool markerLeft : {true, false}) {
     FrameMaker maker;
     maker.configure(linearProbe(), {.markerLeft = markerLeft}, {}, grid, 101, 90);
-    const auto picture = maker.make(volume.view(), poseAt({0, -50, 0})).grey;
-    EXPECT_EQ(picture.at(35, 45), markerLeft ? 200 : 50);
-    EXPECT_EQ(picture.at(65, 45), markerLeft ? 50 : 200);
+    const auto image = maker.make(volume.view(), poseAt({0, -50, 0})).grey;
+    EXPECT_EQ(image.at(35, 45), markerLeft ? 200 : 50);
+    EXPECT_EQ(image.at(65, 45), markerLeft ? 50 : 200);
   }
 }
 
-TEST(FrameMaker, MirrorsThePictureWhenTheMarkerChangesSides) {
+TEST(FrameMaker, MirrorsTheImageWhenTheMarkerChangesSides) {
   const Volume volume = bodyVolume();
   Knobs knobs;
   FrameMaker straight, mirrored;
@@ -247,14 +247,14 @@ TEST(FrameMaker, MirrorsThePictureWhenTheMarkerChangesSides) {
     for (int x = 0; x < a.width; ++x) ASSERT_NEAR(a.at(x, y), b.at(a.width - 1 - x, y), 1);
 }
 
-TEST(FrameMaker, GivesABlackPictureAndTheReasonForAPoseThatCannotBeUsed) {
+TEST(FrameMaker, GivesABlackImageAndTheReasonForAPoseThatCannotBeUsed) {
   const Volume volume = bodyVolume();
   FrameMaker maker;
   maker.configure(convexProbe(), {}, {}, volume.grid, 64, 64);
   const auto isBlack = [&](const Pose& pose) {
     maker.make(volume.view(), poseAt({0, -50, 0}));
-    const auto picture = maker.make(volume.view(), pose).grey;
-    return std::all_of(picture.data, picture.data + 64 * 64, [](std::uint8_t v) { return v == 0; });
+    const auto image = maker.make(volume.view(), pose).grey;
+    return std::all_of(image.data, image.data + 64 * 64, [](std::uint8_t v) { return v == 0; });
   };
   Pose pose = poseAt({0, -50, 0});
   EXPECT_FALSE(isBlack(pose));

@@ -1,4 +1,4 @@
-// Which of the two layouts a slice is read from: rows and bricks hold different greys here, so that a picture tells.
+// Which of the two layouts a slice is read from: rows and bricks hold different greys here, so that an image tells.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/quaternion.hpp>
@@ -26,7 +26,7 @@ Volume filledWith(std::uint8_t grey) {
 
 struct BothLayouts {
   Volume rows = filledWith(kOfRows);
-  BrickedVolume bricks = *bricksOf(filledWith(kOfBricks).view(), 1, 1, noProgress());
+  BrickVolume bricks = *bricksOf(filledWith(kOfBricks).view(), 1, 1, noProgress());
   [[nodiscard]] SliceSource source(const LayoutChoice& choice) const { return inBothLayouts(rows.view(), bricks, choice); }
 };
 
@@ -76,7 +76,7 @@ TEST(LayoutChoice, ASliceIsReadFromBricksWhereItsClassIsChosenAndFromRowsElsewhe
   }
 }
 
-TEST(LayoutChoice, PiecesOfAPictureAndScanLinesChooseAsTheirPlaneDoes) {
+TEST(LayoutChoice, PiecesOfAnImageAndScanLinesChooseAsTheirPlaneDoes) {
   const BothLayouts both;
   SliceScratch scratch;
   for (std::size_t n = 0; n < SliceClass::kCount; ++n) {

@@ -29,8 +29,8 @@ Beam beamWithTargetAt(double centre, int samples = 200) {
 
 double targetOfColumn(const MModeStrip& strip, int x) {
   double weights = 0.0, sum = 0.0;
-  for (int y = 0; y < strip.picture().height; ++y) {
-    const double weight = strip.picture().at(x, y) - 20.0;
+  for (int y = 0; y < strip.image().height; ++y) {
+    const double weight = strip.image().at(x, y) - 20.0;
     weights += weight;
     sum += weight * y;
   }
@@ -38,8 +38,8 @@ double targetOfColumn(const MModeStrip& strip, int x) {
 }
 
 bool isBlack(const MModeStrip& strip, int x) {
-  for (int y = 0; y < strip.picture().height; ++y)
-    if (strip.picture().at(x, y) != 0) return false;
+  for (int y = 0; y < strip.image().height; ++y)
+    if (strip.image().at(x, y) != 0) return false;
   return true;
 }
 
@@ -68,7 +68,7 @@ TEST(MMode, FillsTheColumnsBetweenUnevenFramesByInterpolationWithoutGaps) {
   const int drawn = static_cast<int>(std::floor((time_s - 7.0) * 100.0)) + 1;
   EXPECT_EQ(strip.cursor(), drawn % 300);
   for (int x = 0; x < std::min(drawn, 300 - 8); ++x)
-    for (const int y : {0, 20, 39}) ASSERT_NEAR(strip.picture().at(x, y), greyAt(7.0 + x / 100.0), 1.6) << x;
+    for (const int y : {0, 20, 39}) ASSERT_NEAR(strip.image().at(x, y), greyAt(7.0 + x / 100.0), 1.6) << x;
 }
 
 TEST(MMode, WrapsAtItsEndAndOverwritesTheOldest) {
@@ -76,9 +76,9 @@ TEST(MMode, WrapsAtItsEndAndOverwritesTheOldest) {
   strip.configure(100, 10, 1.0);
   for (int n = 0; n <= 130; ++n) strip.add(n / 100.0 + 1e-6, Beam(10, static_cast<std::uint8_t>(50 + n)));
   EXPECT_EQ(strip.cursor(), 31);
-  for (int x = 0; x <= 30; ++x) EXPECT_NEAR(strip.picture().at(x, 5), 150 + x, 1);
+  for (int x = 0; x <= 30; ++x) EXPECT_NEAR(strip.image().at(x, 5), 150 + x, 1);
   for (int x = 31; x < 37; ++x) EXPECT_TRUE(isBlack(strip, x));
-  for (int x = 37; x < 100; ++x) EXPECT_NEAR(strip.picture().at(x, 5), 50 + x, 1);
+  for (int x = 37; x < 100; ++x) EXPECT_NEAR(strip.image().at(x, 5), 50 + x, 1);
 }
 
 TEST(MMode, HoldsItsPaceOverHours) {
@@ -93,7 +93,7 @@ TEST(MMode, DrawsNothingWhileTimeStandsStillOrRunsBackwards) {
   MModeStrip strip;
   strip.configure(100, 10, 1.0);
   for (int n = 0; n <= 50; ++n) strip.add(n / 100.0, Beam(10, 100));
-  const auto pixels = [&] { return std::vector<std::uint8_t>(strip.picture().data, strip.picture().data + 1000); };
+  const auto pixels = [&] { return std::vector<std::uint8_t>(strip.image().data, strip.image().data + 1000); };
   const std::vector<std::uint8_t> before = pixels();
   for (const double time_s : {0.5, 0.49, 0.0, -0.4, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     strip.add(time_s, Beam(10, 200));
@@ -102,7 +102,7 @@ TEST(MMode, DrawsNothingWhileTimeStandsStillOrRunsBackwards) {
   EXPECT_EQ(strip.cursor(), 51);
   strip.add(0.6, Beam(10, 100));
   EXPECT_EQ(strip.cursor(), 61);
-  for (int x = 0; x <= 60; ++x) EXPECT_EQ(strip.picture().at(x, 3), 100) << "beams that were not drawn are not interpolated from";
+  for (int x = 0; x <= 60; ++x) EXPECT_EQ(strip.image().at(x, 3), 100) << "beams that were not drawn are not interpolated from";
 }
 
 TEST(MMode, StartsAfreshAfterAJumpOfMoreThanASweep) {
@@ -112,7 +112,7 @@ TEST(MMode, StartsAfreshAfterAJumpOfMoreThanASweep) {
     for (int n = 0; n <= 50; ++n) strip.add(n / 100.0, Beam(10, 100));
     strip.add(0.5 + jump_s, Beam(10, 200));
     EXPECT_EQ(strip.cursor(), 1);
-    EXPECT_EQ(strip.picture().at(0, 0), 200);
+    EXPECT_EQ(strip.image().at(0, 0), 200);
     for (int x = 1; x < 100; ++x) EXPECT_TRUE(isBlack(strip, x));
   }
 }
@@ -122,7 +122,7 @@ TEST(MMode, FillsEveryColumnInAStepOfExactlyASweep) {
   strip.configure(6, 3, 1.0);
   strip.add(0.0, Beam(3, 100));
   strip.add(1.0, Beam(3, 100));
-  for (int x = 0; x < 6; ++x) EXPECT_EQ(strip.picture().at(x, 1), 100);
+  for (int x = 0; x < 6; ++x) EXPECT_EQ(strip.image().at(x, 1), 100);
 }
 
 TEST(MMode, IsClearedByAChangeOfItsSizeOrSweepAndByNothingElse) {
@@ -145,10 +145,10 @@ TEST(MMode, IsClearedByAChangeOfItsSizeOrSweepAndByNothingElse) {
 TEST(MMode, OfNoSizeOrOneColumnTakesBeamsToo) {
   MModeStrip strip;
   strip.add(0.0, Beam(10, 100));
-  EXPECT_EQ(strip.picture().width, 0);
+  EXPECT_EQ(strip.image().width, 0);
   strip.configure(1, 1, std::numeric_limits<double>::quiet_NaN());
   for (int n = 0; n < 100; ++n) strip.add(0.5 * n, Beam(10, 100));
-  EXPECT_EQ(strip.picture().at(0, 0), 100);
+  EXPECT_EQ(strip.image().at(0, 0), 100);
   EXPECT_EQ(strip.cursor(), 0);
 }
 
@@ -158,7 +158,7 @@ TEST(MMode, StretchesTheBeamFromTheFirstRowToTheLast) {
   Beam ramp(51);
   for (std::size_t s = 0; s < ramp.size(); ++s) ramp[s] = static_cast<std::uint8_t>(4 * s);
   strip.add(0.0, ramp);
-  for (int y = 0; y < 101; ++y) EXPECT_EQ(strip.picture().at(0, y), 2 * y);
+  for (int y = 0; y < 101; ++y) EXPECT_EQ(strip.image().at(0, y), 2 * y);
 }
 
 // A vessel along z in even tissue, as live echoes see it: its two walls on the line through its middle, over one beat of the heart.

@@ -32,18 +32,18 @@ TEST(OrientationMarker, StandsAtTheSideOfTheProbesMarkerOffTheFace) {
   EXPECT_EQ(markerPlace_px(linear(), geometry, 12.0, 6.0), glm::dvec2(190.0, 172.0));
 }
 
-TEST(OrientationMarker, StaysOnThePicture) {
+TEST(OrientationMarker, StaysOnTheImage) {
   DisplayGeometry geometry = fan();
   geometry.face_px = {10.0, 0.0};  // zoomed
   EXPECT_EQ(markerPlace_px(linear(), geometry, 12.0, 6.0), glm::dvec2(6.0, 6.0));
-  GreyImage picture(300, 200);
-  for (int y = 0; y < 200; ++y) std::fill_n(viewOf(picture).row(y), 300, std::uint8_t{90});
-  burnMarker(viewOf(picture), linear(), geometry);
+  GreyImage image(300, 200);
+  for (int y = 0; y < 200; ++y) std::fill_n(viewOf(image).row(y), 300, std::uint8_t{90});
+  burnMarker(viewOf(image), linear(), geometry);
   int white = 0, changed = 0;
   for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 300; ++x) {
-      white += viewOf(picture).at(x, y) == 255 ? 1 : 0;
-      changed += viewOf(picture).at(x, y) != 90 ? 1 : 0;
+      white += viewOf(image).at(x, y) == 255 ? 1 : 0;
+      changed += viewOf(image).at(x, y) != 90 ? 1 : 0;
     }
   EXPECT_NEAR(white, 79, 6);
   EXPECT_LT(changed, 250);

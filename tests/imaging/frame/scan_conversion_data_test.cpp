@@ -13,7 +13,7 @@ namespace ew::scan_conversion_data_test {
 namespace {
 namespace fs = std::filesystem;
 
-/// Correlation of two pictures' grey levels over the pixels where `counts` says so.
+/// Correlation of two images' grey levels over the pixels where `counts` says so.
 template <class Counts>
 double correlation(const std::vector<std::uint8_t>& a, std::span<const std::uint8_t> b, Counts counts) {
   double n = 0.0, sumA = 0.0, sumB = 0.0, sumAA = 0.0, sumBB = 0.0, sumAB = 0.0;
@@ -26,26 +26,26 @@ double correlation(const std::vector<std::uint8_t>& a, std::span<const std::uint
   return (n * sumAB - sumA * sumB) / std::sqrt((n * sumAA - sumA * sumA) * (n * sumBB - sumB * sumB));
 }
 
-/// An endocavity probe's recorded lines and the pictures another program made of them.
+/// An endocavity probe's recorded lines and the images another program made of them.
 class RecordedLines : public ::testing::Test {
  protected:
   void SetUp() override {
     EW_NEEDS_RECORDING("curvilinear-scanlines");
     auto lines = readSequence(folder_ / "UltrasonixCurvilinearBrightnessData.igs.mha");
-    auto pictures = readSequence(folder_ / "UltrasonixCurvilinearScanConvertedData.igs.mha");
+    auto images = readSequence(folder_ / "UltrasonixCurvilinearScanConvertedData.igs.mha");
     ASSERT_TRUE(lines) << lines.error();
-    ASSERT_TRUE(pictures) << pictures.error();
+    ASSERT_TRUE(images) << images.error();
     lines_ = std::move(*lines);
-    pictures_ = std::move(*pictures);
-    ASSERT_EQ(lines_.frames.size(), pictures_.frames.size());
+    images_ = std::move(*images);
+    ASSERT_EQ(lines_.frames.size(), images_.frames.size());
 
     // From the recording's own PlusDeviceSet_RfProcessingAlgoCurvilinearTest.xml.
     probe_.kind = ProbeKind::endocavity;
     probe_.radius_mm = 10.0;
     probe_.halfAngle_rad = 75.0 * std::numbers::pi / 180.0;
     probe_.lines = lines_.height;
-    geometry_.width = pictures_.width;
-    geometry_.height = pictures_.height;
+    geometry_.width = images_.width;
+    geometry_.height = images_.height;
     geometry_.pixel_mm = 0.15;
     geometry_.face_px = {410.0, 87.0};
     geometry_.markerLeft = false;
@@ -67,7 +67,7 @@ class RecordedLines : public ::testing::Test {
 
   const fs::path folder_ = test::recording("curvilinear-scanlines");
   Sequence lines_;
-  Sequence pictures_;
+  Sequence images_;
   Probe probe_;
   DisplayGeometry geometry_;
   BeamGrid grid_;
@@ -81,14 +81,14 @@ TEST_F(RecordedLines, AreConvertedAsAnotherProgramConvertsThem) {
       for (int x = span.begin; x < span.end; ++x) viewOf(inFan).at(x, y) = 1;
   for (std::size_t frame = 0; frame < lines_.frames.size(); ++frame) {
     const BeamImage echoes = beams(frame);
-    GreyImage picture(geometry_.width, geometry_.height);
-    scanConvert(table, viewOf(echoes), 0, geometry_.height, viewOf(picture));
-    const auto reference = pictures_.framePixels(frame);
+    GreyImage image(geometry_.width, geometry_.height);
+    scanConvert(table, viewOf(echoes), 0, geometry_.height, viewOf(image));
+    const auto reference = images_.framePixels(frame);
     std::size_t same = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) same += (picture.pixels[i] > 0) == (reference[i] > 0);
-    const double filled = static_cast<double>(same) / static_cast<double>(picture.pixels.size());
-    const double whole = correlation(picture.pixels, reference, [](std::size_t) { return true; });
-    const double fan = correlation(picture.pixels, reference, [&](std::size_t i) { return inFan.pixels[i] != 0; });
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) same += (image.pixels[i] > 0) == (reference[i] > 0);
+    const double filled = static_cast<double>(same) / static_cast<double>(image.pixels.size());
+    const double whole = correlation(image.pixels, reference, [](std::size_t) { return true; });
+    const double fan = correlation(image.pixels, reference, [&](std::size_t i) { return inFan.pixels[i] != 0; });
     std::cout << "frame " << frame << ": correlation " << whole << ", within the fan " << fan << ", same filled pixels " << 100.0 * filled
               << " %\n";
     EXPECT_GT(whole, 0.93) << frame;
@@ -101,9 +101,9 @@ TEST_F(RecordedLines, PlacedAboutTheArcsCentreWouldNotMatch) {
   // Another reading of the recording's geometry: the test above could not pass with it.
   geometry_.face_px.y += probe_.radius_mm / geometry_.pixel_mm;
   const BeamImage echoes = beams(0);
-  GreyImage picture(geometry_.width, geometry_.height);
-  scanConvert(makeScanConversion(probe_, {}, grid_, geometry_), viewOf(echoes), 0, geometry_.height, viewOf(picture));
-  EXPECT_LT(correlation(picture.pixels, pictures_.framePixels(0), [](std::size_t) { return true; }), 0.8);
+  GreyImage image(geometry_.width, geometry_.height);
+  scanConvert(makeScanConversion(probe_, {}, grid_, geometry_), viewOf(echoes), 0, geometry_.height, viewOf(image));
+  EXPECT_LT(correlation(image.pixels, images_.framePixels(0), [](std::size_t) { return true; }), 0.8);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace ew::scan_conversion_test {
 namespace {
 
-/// A picture of a fan: random probe, knobs and size.
+/// An image of a fan: random probe, knobs and size.
 struct Setting {
   Probe probe;
   Knobs knobs;
@@ -46,9 +46,9 @@ BeamImage beamsNearHalves(int lines, int samples, unsigned seed) {
 }
 
 GreyImage converted(const ScanConversionTable& table, const BeamImage& beams) {
-  GreyImage picture(table.width, table.height);
-  scanConvert(table, viewOf(beams), 0, table.height, viewOf(picture));
-  return picture;
+  GreyImage image(table.width, table.height);
+  scanConvert(table, viewOf(beams), 0, table.height, viewOf(image));
+  return image;
 }
 
 RC_GTEST_PROP(FanSpans, HoldExactlyThePixelsWhoseCentresTheBeamsReach, ()) {
@@ -97,7 +97,7 @@ RC_GTEST_PROP(ScanConversion, FindsEachPixelsLineAndSample, ()) {
   }
 }
 
-RC_GTEST_PROP(ScanConversion, OfMirroredBeamsIsTheMirroredPictureToTheBit, ()) {
+RC_GTEST_PROP(ScanConversion, OfMirroredBeamsIsTheMirroredImageToTheBit, ()) {
   Setting at = settingAtRandom();
   const BeamGrid grid = makeBeamGrid(at.probe, at.knobs, at.geometry.depth_mm, 0.7);
   const ScanConversionTable table = makeScanConversion(at.probe, at.knobs, grid, at.geometry);
@@ -118,13 +118,13 @@ RC_GTEST_PROP(ScanConversion, BlendsFourNeighboursWithinOneRounding, ()) {
   const BeamGrid grid = makeBeamGrid(at.probe, at.knobs, at.geometry.depth_mm, 0.7);
   const ScanConversionTable table = makeScanConversion(at.probe, at.knobs, grid, at.geometry);
   const BeamImage beams = beamsOf(table.lines, table.samples, 3);
-  GreyImage picture(table.width, table.height, 7);
-  scanConvert(table, viewOf(beams), 0, table.height, viewOf(picture));
+  GreyImage image(table.width, table.height, 7);
+  scanConvert(table, viewOf(beams), 0, table.height, viewOf(image));
   std::size_t n = 0;
   for (int y = 0; y < table.height; ++y) {
     int after = 0;
     const auto untouched = [&](int to) {
-      for (; after < to; ++after) RC_ASSERT(viewOf(picture).at(after, y) == 7);
+      for (; after < to; ++after) RC_ASSERT(viewOf(image).at(after, y) == 7);
     };
     for (const RowSpan& span : table.spans[static_cast<std::size_t>(y)]) {
       untouched(span.begin);
@@ -134,7 +134,7 @@ RC_GTEST_PROP(ScanConversion, BlendsFourNeighboursWithinOneRounding, ()) {
         const double u = tap.lineWeight / 32768.0, v = tap.sampleWeight / 32768.0;
         const auto lines = static_cast<std::size_t>(table.lines);
         const double level = (1 - v) * ((1 - u) * echo(0) + u * echo(1)) + v * ((1 - u) * echo(lines) + u * echo(lines + 1));
-        RC_ASSERT(std::abs(viewOf(picture).at(x, y) - level) <= 0.5 + 1e-4);
+        RC_ASSERT(std::abs(viewOf(image).at(x, y) - level) <= 0.5 + 1e-4);
       }
       after = span.end;
     }
@@ -151,12 +151,12 @@ TEST(ScanConversion, OfConstantsAndRampsIsExact) {
     BeamImage depth(table.lines, table.samples);
     for (int s = 0; s < depth.height; ++s)
       std::fill_n(viewOf(depth).row(s), depth.width, static_cast<float>(200.0 * grid.depth_mm(s) / geometry.depth_mm));
-    const GreyImage picture = converted(table, depth);
+    const GreyImage image = converted(table, depth);
     for (int y = 0; y < table.height; ++y)
       for (const RowSpan& span : table.spans[static_cast<std::size_t>(y)])
         for (int x = span.begin; x < span.end; ++x) {
           const double level = 200.0 * grid.depth_mm(lineAndSampleAt(probe, {}, grid, geometry.probePoint_mm(x, y)).y) / geometry.depth_mm;
-          ASSERT_NEAR(viewOf(picture).at(x, y), level, 0.501) << x << ' ' << y;
+          ASSERT_NEAR(viewOf(image).at(x, y), level, 0.501) << x << ' ' << y;
         }
   }
 }
@@ -167,8 +167,8 @@ TEST(ScanConversion, ClampsLevelsBeyondWhiteAndBelowBlack) {
   const ScanConversionTable table = makeScanConversion(probe, {}, makeBeamGrid(probe, {}, geometry.depth_mm, 1.0), geometry);
   for (const auto& [level, shown] : {std::pair{-1e30F, 0}, std::pair{1e30F, 255}, std::pair{255.4F, 255}, std::pair{std::nanf(""), 0}})
     testing::onEveryTarget([&](const char* name) {
-      const GreyImage picture = converted(table, BeamImage(table.lines, table.samples, level));
-      EXPECT_EQ(picture.pixels[30 * 60 + 30], shown) << level << ' ' << name;
+      const GreyImage image = converted(table, BeamImage(table.lines, table.samples, level));
+      EXPECT_EQ(image.pixels[30 * 60 + 30], shown) << level << ' ' << name;
     });
 }
 
@@ -179,21 +179,20 @@ TEST(ScanConversion, GivesTheSamePixelsOnEveryVectorUnit) {
   const BeamImage beams = beamsNearHalves(table.lines, table.samples, 9);
   GreyImage first;
   testing::onEveryTarget([&](const char* name) {
-    const GreyImage picture = converted(table, beams);
-    if (first.pixels.empty()) first = picture;
-    EXPECT_EQ(picture, first) << name;
+    const GreyImage image = converted(table, beams);
+    if (first.pixels.empty()) first = image;
+    EXPECT_EQ(image, first) << name;
   });
 }
 
-TEST(ScanConversion, InBandsOfRowsGivesTheSamePicture) {
+TEST(ScanConversion, InBandsOfRowsGivesTheSameImage) {
   const Probe probe = testing::probeOf(ProbeKind::convex);
   const DisplayGeometry geometry = fitDisplay(probe, {}, 211, 187);
   const ScanConversionTable table = makeScanConversion(probe, {}, makeBeamGrid(probe, {}, geometry.depth_mm, 0.3), geometry);
   const BeamImage beams = beamsOf(table.lines, table.samples, 5);
-  GreyImage picture(table.width, table.height);
-  for (int row = 0; row < table.height; row += 13)
-    scanConvert(table, viewOf(beams), row, std::min(13, table.height - row), viewOf(picture));
-  EXPECT_EQ(picture, converted(table, beams));
+  GreyImage image(table.width, table.height);
+  for (int row = 0; row < table.height; row += 13) scanConvert(table, viewOf(beams), row, std::min(13, table.height - row), viewOf(image));
+  EXPECT_EQ(image, converted(table, beams));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(SliceWeave, ShowsTheNearestVoxelOfEveryPixelAndNothingOutsideTheVolume) {
 }
 
 TEST(SliceWeave, ShowsOnlyVoxelsThatThePlanePierces) {
-  // Each voxel carries its own number in base 251, one digit a volume, so that the picture tells which voxel it shows.
+  // Each voxel carries its own number in base 251, one digit a volume, so that the image tells which voxel it shows.
   const glm::ivec3 dims(37, 41, 43);
   const auto digit = [&](int place) {
     return testing::volumeOf(dims, [&, place](int i, int j, int k) {

@@ -167,13 +167,13 @@ TEST(ToneTable, OfRangesThatAreNoNumbersIsThatOfTheRecordedRange) {
   EXPECT_EQ(shownLevel({.dynamicRange_db = 90.0}, nan), shownLevel({.dynamicRange_db = 90.0}, 0.0));
 }
 
-/// A picture with a convex fan's kind of runs: none, one or two in a row, of any lengths.
-struct FannedPicture {
+/// An image with a convex fan's kind of runs: none, one or two in a row, of any lengths.
+struct FannedImage {
   GreyImage image;
   Spans spans;
 };
-FannedPicture anyFannedPicture(std::mt19937& random, int width, int height) {
-  FannedPicture made{GreyImage(width, height), Spans(static_cast<std::size_t>(height))};
+FannedImage anyFannedImage(std::mt19937& random, int width, int height) {
+  FannedImage made{GreyImage(width, height), Spans(static_cast<std::size_t>(height))};
   for (std::uint8_t& pixel : made.image.pixels) pixel = static_cast<std::uint8_t>(random());
   for (auto& row : made.spans) {
     int x = static_cast<int>(random() % 20);
@@ -190,24 +190,24 @@ TEST(ToneTable, IsAppliedToEveryPixelOfTheSpansAndToNoOther) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 200; ++trial) {
     const int width = 1 + static_cast<int>(random() % 300), height = 1 + static_cast<int>(random() % 5);
-    FannedPicture picture = anyFannedPicture(random, width, height);
+    FannedImage fanned = anyFannedImage(random, width, height);
     std::vector<std::uint8_t> table(256 * static_cast<std::size_t>(height));
     for (std::uint8_t& entry : table) entry = static_cast<std::uint8_t>(random());
-    GreyImage expected = picture.image;
+    GreyImage expected = fanned.image;
     for (int y = 0; y < height; ++y)
-      for (const RowSpan& span : picture.spans[static_cast<std::size_t>(y)])
+      for (const RowSpan& span : fanned.spans[static_cast<std::size_t>(y)])
         for (int x = span.begin; x < span.end; ++x) {
           std::uint8_t& pixel = expected.pixels[static_cast<std::size_t>(y * width + x)];
           pixel = table[static_cast<std::size_t>(256 * y) + pixel];
         }
-    applyGainTable(viewOf(picture.image), picture.spans, table);
-    ASSERT_EQ(picture.image, expected) << "trial " << trial;
+    applyGainTable(viewOf(fanned.image), fanned.spans, table);
+    ASSERT_EQ(fanned.image, expected) << "trial " << trial;
   }
 }
 
-TEST(ToneTable, AppliedInBandsOfRowsGivesTheSamePicture) {
+TEST(ToneTable, AppliedInBandsOfRowsGivesTheSameImage) {
   std::mt19937 random(12);
-  FannedPicture whole = anyFannedPicture(random, 211, 23);
+  FannedImage whole = anyFannedImage(random, 211, 23);
   std::vector<double> rows;
   for (int y = 0; y < 23; ++y) rows.push_back(y / 22.0);
   const std::vector<std::uint8_t> table =
@@ -224,7 +224,7 @@ TEST(ToneTable, AppliedInBandsOfRowsGivesTheSamePicture) {
   EXPECT_EQ(banded, whole.image);
 }
 
-TEST(ToneTable, BehindAPictureIsEquationFiveAndTheToneAtEveryPixelOfTheFanAndBlackStaysAroundIt) {
+TEST(ToneTable, BehindAnImageIsEquationFiveAndTheToneAtEveryPixelOfTheFanAndBlackStaysAroundIt) {
   const Volume volume = testing::volumeOf(
       {120, 160, 100}, [](int i, int j, int k) { return i + j + (k % 7); }, glm::dvec3(1.4));
   Probe probe;

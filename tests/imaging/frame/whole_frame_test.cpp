@@ -1,4 +1,4 @@
-// Whole frames with every effect: what must hold for a picture, whatever path it took.
+// Whole frames with every effect: what must hold for an image, whatever path it took.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -112,8 +112,8 @@ GreyImage copyOf(ImageView<const std::uint8_t> view) {
   return image;
 }
 
-GreyImage pictureOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Volume& volume, const Pose& pose, int width = 240,
-                    int height = 220) {
+GreyImage imageOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Volume& volume, const Pose& pose, int width = 240,
+                  int height = 220) {
   FrameMaker maker;
   maker.configure(probe, knobs, scene, volume.grid, width, height);
   return copyOf(maker.make(volume.view(), pose).grey);
@@ -134,20 +134,20 @@ TEST(WholeFrame, RunsEveryStepAndTimesIt) {
   }
 }
 
-TEST(WholeFrame, EveryEffectChangesThePicture) {
+TEST(WholeFrame, EveryEffectChangesTheImage) {
   const Body body;
-  const auto pictureWith = [&](const Knobs& knobs, const Scene& scene) {
+  const auto imageWith = [&](const Knobs& knobs, const Scene& scene) {
     FrameMaker maker;
     maker.configure(convexProbe(), knobs, scene, body.echo.grid, 240, 220, true);
     for (int n = 0; n < 3; ++n) maker.make(body.input(poseAt({3.0 * n, -58, 0}), n));
     return copyOf(maker.make(body.input(poseAt({9.0, -58, 0}), 3)).grey);
   };
-  const GreyImage all = pictureWith(everyKnob(), everyEffect());
+  const GreyImage all = imageWith(everyKnob(), everyEffect());
   const auto without = [&](const char* what, auto change) {
     Knobs knobs = everyKnob();
     Scene scene = everyEffect();
     change(knobs, scene);
-    EXPECT_NE(pictureWith(knobs, scene), all) << what;
+    EXPECT_NE(imageWith(knobs, scene), all) << what;
   };
   without("gain", [](Knobs& k, Scene&) { k.gain = 1.0; });
   without("TGC", [](Knobs& k, Scene&) { k.dgc = Knobs{}.dgc; });
@@ -304,8 +304,8 @@ TEST(WholeFrame, AppliesEquationFiveAtTheDepthOfEachRowOnBothPaths) {
       turned = plain;
       turned.gain = 1.4;
       turned.dgc = {0.4, 0.6, 1.2, 2.0, 1.0, 0.3, 0.8, 1.5};
-      const GreyImage before = pictureOf(convexProbe(), plain, scene, body.echo, poseAt({0, -58, 0}));
-      const GreyImage after = pictureOf(convexProbe(), turned, scene, body.echo, poseAt({0, -58, 0}));
+      const GreyImage before = imageOf(convexProbe(), plain, scene, body.echo, poseAt({0, -58, 0}));
+      const GreyImage after = imageOf(convexProbe(), turned, scene, body.echo, poseAt({0, -58, 0}));
       const DisplayGeometry geometry = fitDisplay(convexProbe(), plain, before.width, before.height);
       for (int y = 0; y < before.height; ++y)
         for (int x = 0; x < before.width; ++x) {
@@ -346,13 +346,13 @@ TEST(WholeFrame, IsMirroredExactlyWhenTheProbeTurnsByHalfATurn) {
       }
 }
 
-/// Largest difference between the picture of a probe and the mirrored one of the same probe after half a turn.
+/// Largest difference between the image of a probe and the mirrored one of the same probe after half a turn.
 int apartAfterHalfATurn(const Knobs& knobs, const Volume& volume) {
   const Pose pose = poseAt({4, -57, 3}, 0.4);
   Pose half = pose;
   half.probeToWorld.matrix[0] *= -1.0;
   half.probeToWorld.matrix[2] *= -1.0;
-  const GreyImage a = pictureOf(convexProbe(), knobs, {}, volume, pose, 241), b = pictureOf(convexProbe(), knobs, {}, volume, half, 241);
+  const GreyImage a = imageOf(convexProbe(), knobs, {}, volume, pose, 241), b = imageOf(convexProbe(), knobs, {}, volume, half, 241);
   int most = 0;
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) most = std::max(most, std::abs(viewOf(a).at(x, y) - viewOf(b).at(a.width - 1 - x, y)));
@@ -373,8 +373,8 @@ double lossAt(const Volume& body, const Pose& pose, const glm::dvec3& p_world_mm
   Scene clear, shadowed;
   shadowed.attenuation.emplace();
   const int width = 300, height = 260;
-  const GreyImage without = pictureOf(convexProbe(), {}, clear, body, pose, width, height);
-  const GreyImage with = pictureOf(convexProbe(), {}, shadowed, body, pose, width, height);
+  const GreyImage without = imageOf(convexProbe(), {}, clear, body, pose, width, height);
+  const GreyImage with = imageOf(convexProbe(), {}, shadowed, body, pose, width, height);
   const DisplayGeometry geometry = fitDisplay(convexProbe(), {}, width, height);
   const glm::dmat4 worldToImage = glm::inverse(pose.probeToWorld.matrix * geometry.imageToProbe().matrix);
   const glm::dvec4 at = worldToImage * glm::dvec4(p_world_mm, 1.0);
@@ -412,10 +412,10 @@ TEST(WholeFrame, OfAPoseThatCannotBeUsedIsBlackWithEveryEffectOn) {
   maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 120, 110, true);
   const auto sum = [&](const Pose& pose) {
     maker.make(body.input(poseAt({0, -55, 0})));
-    const auto picture = maker.make(body.input(pose)).grey;
+    const auto image = maker.make(body.input(pose)).grey;
     int total = 0;
-    for (int y = 0; y < picture.height; ++y)
-      for (int x = 0; x < picture.width; ++x) total += picture.at(x, y);
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) total += image.at(x, y);
     return total;
   };
   EXPECT_GT(sum(poseAt({0, -55, 0})), 0);
@@ -445,9 +445,9 @@ TEST(WholeFrame, SurvivesGapsTimesAndVolumesThatAreNone) {
   input.labels = {};
   maker.make(input);
   input.echo = {};
-  const auto picture = maker.make(input).grey;
+  const auto image = maker.make(input).grey;
   EXPECT_EQ(maker.lastStatus(), PoseStatus::ok);
-  EXPECT_EQ(picture.width, 120);
+  EXPECT_EQ(image.width, 120);
 }
 
 TEST(WholeFrame, GoesByGreyLevelWhereAFrameComesWithoutItsLabels) {
@@ -486,7 +486,7 @@ TEST(MMode, ShowsTheBeamItFollowsWithAndWithoutBeams) {
       input.time_s = n / 30.0;
       maker.make(input);
     }
-    const auto picture = maker.make(input).grey;
+    const auto image = maker.make(input).grey;
     const auto strip = maker.strip();
     ASSERT_EQ(strip.width, 200);
     ASSERT_EQ(strip.height, 160);
@@ -501,7 +501,7 @@ TEST(MMode, ShowsTheBeamItFollowsWithAndWithoutBeams) {
       const double toEdge_mm = std::abs(std::remainder(depth_mm + 5.0 + 0.5, 8.0));
       if (toEdge_mm < 1.5) continue;
       ++compared;
-      apart += std::abs(strip.at(40, y) - picture.at(100, static_cast<int>(std::lround(row)))) > 6;
+      apart += std::abs(strip.at(40, y) - image.at(100, static_cast<int>(std::lround(row)))) > 6;
     }
     EXPECT_GT(compared, 80);
     EXPECT_EQ(apart, 0) << (onBeams ? "beams" : "one beam");

@@ -8,7 +8,7 @@
 
 #include "ew/imaging/frame.h"
 
-/// Tissue of known levels, a convex probe, and pictures of live echoes without what a machine adds to them.
+/// Tissue of known levels, a convex probe, and images of live echoes without what a machine adds to them.
 namespace ew::testing::live {
 
 inline constexpr double kGreyPerDb = 255.0 / 60.0;
@@ -80,7 +80,7 @@ inline FrameInput inputOf(const TissueMaps& maps) {
   return input;
 }
 
-inline GreyImage pictureOf(const TissueMaps& maps, const Shot& shot) {
+inline GreyImage imageOf(const TissueMaps& maps, const Shot& shot) {
   FrameMaker maker(shot.threads);
   Knobs knobs = shot.knobs;
   knobs.greyMap = GreyMap::linear;
@@ -88,21 +88,21 @@ inline GreyImage pictureOf(const TissueMaps& maps, const Shot& shot) {
   FrameInput input = inputOf(maps);
   if (shot.labels != nullptr) input.labels = shot.labels->view();
   input.pose.probeToWorld.matrix = shot.probeToWorld;
-  const Picture made = maker.make(input);
+  const DisplayImage made = maker.make(input);
   GreyImage copy(made.width(), made.height());
   for (int y = 0; y < copy.height; ++y) std::copy_n(made.grey.row(y), copy.width, viewOf(copy).row(y));
   return copy;
 }
 
-/// Levels of the middle lines between two depths, mm: those of the picture's columns next to the axis.
-inline std::vector<double> levelsBetween(const GreyImage& picture, const Shot& shot, double from_mm, double to_mm, double half_mm = 14.0) {
-  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, picture.width, picture.height, {});
+/// Levels of the middle lines between two depths, mm: those of the image's columns next to the axis.
+inline std::vector<double> levelsBetween(const GreyImage& image, const Shot& shot, double from_mm, double to_mm, double half_mm = 14.0) {
+  const DisplayGeometry geometry = fitDisplay(shot.probe, shot.knobs, image.width, image.height, {});
   std::vector<double> levels;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
       const glm::dvec2 p = geometry.probePoint_mm(x, y);
       if (p.y >= from_mm && p.y < to_mm && std::abs(p.x) < half_mm)
-        levels.push_back(picture.pixels[static_cast<std::size_t>(y * picture.width + x)]);
+        levels.push_back(image.pixels[static_cast<std::size_t>(y * image.width + x)]);
     }
   return levels;
 }

@@ -286,7 +286,7 @@ Result<void> confidenceOfFrame(ImageView<const std::uint8_t> frame, const Clip& 
   return {};
 }
 
-Result<std::vector<Image<std::uint8_t>>> confidenceOfFrames(std::span<const PosedFrame> frames, const Clip& clip,
+Result<std::vector<Image<std::uint8_t>>> confidenceOfFrames(std::span<const TrackedFrame> frames, const Clip& clip,
                                                             const ConfidenceOptions& options, int threads, Progress& progress) {
   std::vector<Image<std::uint8_t>> maps(frames.size());
   std::vector<ConfidenceScratch> scratch(static_cast<std::size_t>(threadCount(threads)));

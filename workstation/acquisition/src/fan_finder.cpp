@@ -17,7 +17,7 @@ constexpr double kTolerance_px = 2.0;  ///< of a silhouette point to its line
 constexpr double kSupport_px = 2.0;    ///< an edge this close bears the outline out
 constexpr double kParallel_rad = 3.0 * kDegree;
 constexpr double kSectorShare = 0.1;  ///< near over far radius below which a fan is a sector
-constexpr double kLeastArea = 0.02;   ///< of the picture
+constexpr double kLeastArea = 0.02;   ///< of the image
 constexpr double kLeastFilled = 0.3;  ///< of an outline, by what is scan; wires in water fill a tenth
 constexpr double kLeastSide = 0.15;   ///< of each side and of the far edge, by edges that bear it out; a side with less is a guess
 constexpr double kMoves = 0.2;        ///< activity from which a pixel is one that moves
@@ -70,7 +70,7 @@ cv::Mat disc(int size) {
 
 /// Small things gone, holes of speckle closed, and of the rest the largest piece, or all that are not small beside it.
 cv::Mat cleaned(const cv::Mat& raw, bool largestAlone) {
-  // A rim of nothing: what touches the picture's edge is opened and closed there as anywhere.
+  // A rim of nothing: what touches the image's edge is opened and closed there as anywhere.
   const int border = 24;
   cv::Mat mask;
   cv::copyMakeBorder(raw, mask, border, border, border, border, cv::BORDER_CONSTANT, cv::Scalar(0));

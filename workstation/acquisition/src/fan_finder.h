@@ -15,7 +15,7 @@ struct FanFit {
 /// The outline of what changes, see findScreen(); empty when nothing has the shape of a scan at all.
 [[nodiscard]] std::optional<FanFit> findFan(const ScreenStatistics& statistics);
 
-/// The level that most of a picture's standing pixels have.
+/// The level that most of an image's standing pixels have.
 [[nodiscard]] float backgroundOf(const ScreenStatistics& statistics);
 
 }  // namespace ew::detail

@@ -8,7 +8,7 @@ namespace ew {
 
 Result<std::optional<ClipFan>> fanOf(const Sequence& sequence, Progress& progress) {
   constexpr std::size_t kMostLookedAt = 60;
-  constexpr double kLeastAround = 0.03;  // of the frame: less black around a fan is the edge of the picture
+  constexpr double kLeastAround = 0.03;  // of the frame: less black around a fan is the edge of the image
   std::optional<ClipFan> fan;
   if (sequence.pixels.empty() || sequence.frames.empty()) return fan;
   ScreenStatistics statistics(sequence.width, sequence.height);

@@ -338,7 +338,7 @@ Result<void> checkFillReach(const Grid& grid, double reach_mm) {
   return {};
 }
 
-Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progress& progress) {
+Result<HoleFillResult> fillHoles(Volume volume, const FillOptions& options, Progress& progress) {
   if (options.threads < 0)
     return failure(ErrorCode::badField, say<"The number of threads is negative; give 0 for all cores or a positive number.">(),
                    {{"field", "threads"}});
@@ -350,12 +350,12 @@ Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progre
   if (!options.source.empty() && options.source.size() != voxels)
     return failure(ErrorCode::badField, say<"The sources of the voxels do not fit the grid; give one for each voxel.">(),
                    {{"field", "source"}});
-  if (volume.coverage.empty() || farthestSteps(volume.grid, options.reach_mm) < 2) return FilledVolume{std::move(volume), 0};
+  if (volume.coverage.empty() || farthestSteps(volume.grid, options.reach_mm) < 2) return HoleFillResult{std::move(volume), 0};
   try {
     Filler filler(volume, options);
     const auto filled = filler.run(progress);
     if (!filled) return passOn(filled.error());
-    return FilledVolume{std::move(volume), *filled};
+    return HoleFillResult{std::move(volume), *filled};
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::tooLarge, say<"There is not enough memory to fill holes; use fewer threads or a coarser spacing.">());
   }

@@ -27,7 +27,7 @@ struct FramePlane {
   glm::dvec3 highest_voxel{0.0};
 };
 
-FramePlane planeOf(const PosedFrame& frame, const ClipRectangle& clip, const Grid& grid) {
+FramePlane planeOf(const TrackedFrame& frame, const ClipRectangle& clip, const Grid& grid) {
   const glm::dmat4& m = frame.imageToWorld.matrix;
   FramePlane plane;
   plane.pixels = frame.pixels;
@@ -205,10 +205,10 @@ Span where(double at, double step, double least, double largest, Span within) {
 /// Work on bricks of voxels: visit() is called for each with the sums of its worker, take() for each voxel that got a weight.
 class SweepWalker {
  public:
-  SweepWalker(std::span<const PosedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options, const SweepTarget& target)
+  SweepWalker(std::span<const TrackedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options, const SweepTarget& target)
       : target_(target), options_(options) {
     planes_.reserve(frames.size());
-    for (const PosedFrame& frame : frames) planes_.push_back(planeOf(frame, clip.rectangle(), target.grid));
+    for (const TrackedFrame& frame : frames) planes_.push_back(planeOf(frame, clip.rectangle(), target.grid));
     sampler_.emplace(clip, planes_.front(), options.spacing_mm);
     const glm::ivec3 count = bricksOf(target.grid);
     tasks_ = count.x * count.y * count.z;
@@ -418,7 +418,7 @@ tl::unexpected<Error> noMemory() {
 
 }  // namespace
 
-Result<std::size_t> fillBetweenFrames(std::span<const PosedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
+Result<std::size_t> fillBetweenFrames(std::span<const TrackedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
                                       const SweepTarget& target, Progress& progress) {
   try {
     return SweepWalker(frames, clip, options, target).fill(progress);
@@ -427,7 +427,7 @@ Result<std::size_t> fillBetweenFrames(std::span<const PosedFrame> frames, const 
   }
 }
 
-Result<void> centreMeasured(std::span<const PosedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
+Result<void> centreMeasured(std::span<const TrackedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
                             const SweepTarget& target, Progress& progress) {
   try {
     if (const auto centred = SweepWalker(frames, clip, options, target).centre(progress); !centred) return passOn(centred.error());

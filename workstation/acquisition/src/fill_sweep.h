@@ -21,12 +21,12 @@ struct SweepTarget {
 /// The grid is aligned with the world.
 /// @return the number of voxels filled
 /// @error tooLarge (no memory), cancelled
-[[nodiscard]] Result<std::size_t> fillBetweenFrames(std::span<const PosedFrame> frames, const ClipSpans& clip,
+[[nodiscard]] Result<std::size_t> fillBetweenFrames(std::span<const TrackedFrame> frames, const ClipSpans& clip,
                                                     const ReconstructOptions& options, const SweepTarget& target, Progress& progress);
 
 /// Gives every measured voxel what the frames that pass through it show at its centre, as Interpolation::centred says.
 /// @error tooLarge (no memory), cancelled
-[[nodiscard]] Result<void> centreMeasured(std::span<const PosedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
+[[nodiscard]] Result<void> centreMeasured(std::span<const TrackedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
                                           const SweepTarget& target, Progress& progress);
 
 /// Bytes either of them needs beside the volume.

@@ -79,11 +79,11 @@ Result<std::vector<std::vector<std::size_t>>> framesOfPhase(std::span<const Fram
   return lists;
 }
 
-Result<Grid> reconstructPhases(std::span<const PosedFrame> frames, std::span<const std::vector<std::size_t>> framesOfPhases,
+Result<Grid> reconstructPhases(std::span<const TrackedFrame> frames, std::span<const std::vector<std::size_t>> framesOfPhases,
                                const ReconstructOptions& options, const KeepPhase& keep, Progress& progress) {
   const auto grid = gridFor(frames, options);
   if (!grid) return passOn(grid.error());
-  std::vector<PosedFrame> part;
+  std::vector<TrackedFrame> part;
   for (std::size_t k = 0; k < framesOfPhases.size(); ++k) {
     part.clear();
     for (const std::size_t n : framesOfPhases[k]) {

@@ -275,17 +275,17 @@ RhythmRange rangeOf(const ImageGateOptions& options) {
 }
 
 /// Frames at different times, in their order.
-struct TimedFrames {
+struct FrameTimes {
   std::vector<double> times_s;
   std::vector<std::size_t> kept;
 };
 
-Result<TimedFrames> timedFrames(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s) {
+Result<FrameTimes> timedFrames(std::span<const ImageView<const std::uint8_t>> frames, std::span<const double> time_s) {
   if (frames.size() != time_s.size())
     return failure(ErrorCode::badField,
                    say<"There are %1 frames and %2 times; give one time for each frame.">(frames.size(), time_s.size()),
                    {{"field", "time"}});
-  TimedFrames timed;
+  FrameTimes timed;
   auto& [times_s, kept] = timed;
   for (std::size_t n = 0; n < frames.size(); ++n) {
     if (frames[n].width != frames[0].width || frames[n].height != frames[0].height || frames[n].width < 1 || frames[n].height < 1)

@@ -176,13 +176,13 @@ Result<void> takeCompounding(const DeviceSet& device, ReconstructOptions& option
   return {};
 }
 
-/// Pictures that know the size of their pixels alone (frame Picture of the import) before a probe whose face lies at the middle of their
+/// Images that know the size of their pixels alone (frame Picture of the import) before a probe whose face lies at the middle of their
 /// upper edge.
 std::optional<Transform<frame::Probe, frame::Image>> faceAtUpperEdge(const Sequence& sequence) {
   if (sequence.frames.empty()) return std::nullopt;
-  const auto imageToPicture = chain(sequence.frames.front().transforms, "Image", "Picture");
-  if (!imageToPicture) return std::nullopt;
-  glm::dmat4 imageToProbe = *imageToPicture;
+  const auto imageToPlane = chain(sequence.frames.front().transforms, "Image", "Picture");
+  if (!imageToPlane) return std::nullopt;
+  glm::dmat4 imageToProbe = *imageToPlane;
   imageToProbe[3] = glm::dvec4(-0.5 * (sequence.width - 1) * glm::dvec3(imageToProbe[0]), 1.0);
   return Transform<frame::Probe, frame::Image>{imageToProbe};
 }
@@ -244,7 +244,7 @@ std::vector<double> timesOf(const Sequence& sequence) {
 }
 
 /// By how much poses lag, as it was given, else as it is estimated.
-Result<PoseDelay> delayOf(const OpenedSweep& opened, const SweepImportOptions& options, Progress& progress) {
+Result<PoseDelay> delayOf(const SweepInput& opened, const SweepImportOptions& options, Progress& progress) {
   if (options.poseDelay_s) return PoseDelay{.verdict = DelayVerdict::found, .delay_s = *options.poseDelay_s};
   const Sequence& sequence = opened.sequence;
   std::vector<ImageView<const std::uint8_t>> images;
@@ -256,7 +256,7 @@ Result<PoseDelay> delayOf(const OpenedSweep& opened, const SweepImportOptions& o
 }
 
 /// Moves the recording's own poses in time, and says what was done. Poses of a file of their own were joined with the delay.
-Result<void> takeDelayAway(OpenedSweep& opened, const PoseDelay& delay, const SweepImportOptions& options) {
+Result<void> takeDelayAway(SweepInput& opened, const PoseDelay& delay, const SweepImportOptions& options) {
   const Sequence& sequence = opened.sequence;
   opened.plan.poseDelay = delay;
   if (delay.verdict == DelayVerdict::cannotTell) {
@@ -285,7 +285,7 @@ Result<void> takeDelayAway(OpenedSweep& opened, const PoseDelay& delay, const Sw
 
 }  // namespace
 
-Result<ReconstructOptions> defaultsFor(std::span<const PosedFrame> frames, const DeviceSet* calibration, const SweepDefaults& usual,
+Result<ReconstructOptions> defaultsFor(std::span<const TrackedFrame> frames, const DeviceSet* calibration, const SweepDefaults& usual,
                                        const ReconstructOptions& said, std::vector<Message>& notes) {
   ReconstructOptions made = said;
   const DeviceSet none;
@@ -306,8 +306,8 @@ Result<ReconstructOptions> defaultsFor(std::span<const PosedFrame> frames, const
   return made;
 }
 
-std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
-  std::vector<PosedFrame> frames;
+std::vector<TrackedFrame> posedFrames(const SweepInput& opened) {
+  std::vector<TrackedFrame> frames;
   frames.reserve(opened.poses.usable);
   const Sequence& sequence = opened.sequence;
   for (std::size_t n = 0; n < sequence.frames.size(); ++n)
@@ -316,15 +316,15 @@ std::vector<PosedFrame> posedFrames(const OpenedSweep& opened) {
   return frames;
 }
 
-Result<void> checkMeant(const OpenedSweep& opened) {
+Result<void> checkMeant(const SweepInput& opened) {
   const ImportPlan& plan = opened.plan;
   if (plan.acceptsSmall || plan.smallQuestion.empty()) return {};
   return failure(ErrorCode::unsupported, plan.smallQuestion, {{"file", opened.sweep.string()}, {"ask", "accept-small"}});
 }
 
-Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress) {
+Result<ConfidenceFrames> weighedFrames(const SweepInput& opened, Progress& progress) {
   if (auto meant = checkMeant(opened); !meant) return passOn(meant.error());
-  WeighedFrames weighed{posedFrames(opened), {}};
+  ConfidenceFrames weighed{posedFrames(opened), {}};
   const ReconstructOptions& options = opened.plan.reconstruct;
   if (options.compounding != Compounding::weighted) return weighed;
   auto maps = confidenceOfFrames(weighed.frames, options.clip, opened.plan.confidence, options.threads, progress);
@@ -403,7 +403,7 @@ Result<void> checkPlaced(const Sequence& described, const PlacingFiles& files, c
 }
 
 /// Finds the pose of every image, after joining poses of a file of their own at this offset.
-Result<void> placeImages(OpenedSweep& opened, const PlacingFiles& files, double offset_s, const SweepImportOptions& options) {
+Result<void> placeImages(SweepInput& opened, const PlacingFiles& files, double offset_s, const SweepImportOptions& options) {
   if (opened.ownFrames.empty() && files.poses) opened.ownFrames = opened.sequence.frames;
   if (!opened.ownFrames.empty()) opened.sequence.frames = opened.ownFrames;
   std::vector<Message> joining;
@@ -421,7 +421,7 @@ Result<void> placeImages(OpenedSweep& opened, const PlacingFiles& files, double 
 }
 
 /// Places the images and finds out how far poses lag behind them, where that is asked for.
-Result<std::optional<PoseDelay>> placeInTime(OpenedSweep& opened, const PlacingFiles& files, const SweepImportOptions& options,
+Result<std::optional<PoseDelay>> placeInTime(SweepInput& opened, const PlacingFiles& files, const SweepImportOptions& options,
                                              Progress& progress) {
   if (auto placed = placeImages(opened, files, options.poseDelay_s.value_or(0.0), options); !placed) return passOn(placed.error());
   if (!options.poseDelay_s && !options.estimatePoseDelay) return std::optional<PoseDelay>();
@@ -434,7 +434,7 @@ Result<std::optional<PoseDelay>> placeInTime(OpenedSweep& opened, const PlacingF
 }
 
 /// How much of the recording the plan keeps, how large it gets, and what there is to ask about it.
-Result<void> tellKept(OpenedSweep& opened, std::span<const PosedFrame> frames, const SweepImportOptions& options) {
+Result<void> tellKept(SweepInput& opened, std::span<const TrackedFrame> frames, const SweepImportOptions& options) {
   const Sequence& sequence = opened.sequence;
   ImportPlan& plan = opened.plan;
   plan.frames = {sequence.frames.size(), opened.poses.usable, opened.poses.invalid, opened.poses.missing};
@@ -456,7 +456,7 @@ Result<void> tellKept(OpenedSweep& opened, std::span<const PosedFrame> frames, c
 }
 
 /// Everything about an opened sweep but its pixels.
-Result<void> arrange(OpenedSweep& opened, const PlacingFiles& files, const SweepImportOptions& options, Progress& progress) {
+Result<void> arrange(SweepInput& opened, const PlacingFiles& files, const SweepImportOptions& options, Progress& progress) {
   const DeviceSet* const calibration = files.calibration();
   opened.plan = {};
   std::optional<Clip> sector = opened.sectorOfScanLines;
@@ -524,17 +524,17 @@ Result<void> arrange(OpenedSweep& opened, const PlacingFiles& files, const Sweep
 
 }  // namespace
 
-Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
+Result<SweepInput> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress) {
   const auto started = Clock::now();
   const auto files = placingFilesOf(options, progress);
   if (!files) return passOn(files.error());
   // Before minutes of reading: what the header says tells already whether images and a way into the world are there.
   const auto usable = [&](const Sequence& described) { return checkPlaced(described, *files, options); };
-  const ReadLimits limits{options.reconstruct.maxBytes};
+  const ReaderLimits limits{options.reconstruct.maxBytes};
   auto sequence =
       files->poses ? readImages(sweep, options.imageRate_hz, progress, limits, usable) : readSequence(sweep, progress, limits, usable);
   if (!sequence) return passOn(sequence.error());
-  OpenedSweep opened;
+  SweepInput opened;
   opened.sweep = sweep;
   if (holdsScanLines(*sequence)) {
     const auto geometry = lineGeometryOf(*sequence, files->calibration());
@@ -554,14 +554,14 @@ Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImp
   return opened;
 }
 
-Result<void> planAgain(OpenedSweep& opened, const SweepImportOptions& options, Progress& progress) {
+Result<void> planAgain(SweepInput& opened, const SweepImportOptions& options, Progress& progress) {
   EW_EXPECTS(!opened.sectorOfScanLines);
   const auto files = placingFilesOf(options, progress);
   if (!files) return passOn(files.error());
   return arrange(opened, *files, options, progress);
 }
 
-Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
+Result<SweepImport> importSweep(SweepInput opened, Progress& progress) {
   const glm::ivec3 dims = opened.plan.grid.dims;
   if (!opened.plan.fits)
     return failure(
@@ -576,7 +576,7 @@ Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress) {
   if (!weighed) return passOn(weighed.error());
   auto reconstruction = reconstruct(weighed->frames, opened.plan.reconstruct, making);
   if (!reconstruction) return passOn(reconstruction.error());
-  return ImportedSweep{std::move(*reconstruction), std::move(opened.plan)};
+  return SweepImport{std::move(*reconstruction), std::move(opened.plan)};
 }
 
 }  // namespace ew

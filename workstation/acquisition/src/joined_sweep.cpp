@@ -41,7 +41,7 @@ tl::unexpected<Error> rateUnknown(const fs::path& file) {
 }
 
 /// The slices of a volume as images, in the order in which they are stored.
-Result<Sequence> slicesOf(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+Result<Sequence> slicesOf(const fs::path& file, Progress& progress, const ReaderLimits& limits) {
   auto read = readVolume(file, progress, limits);
   if (!read) return passOn(read.error());
   const glm::ivec3 dims = read->volume.grid.dims;
@@ -60,7 +60,7 @@ Result<Sequence> slicesOf(const fs::path& file, Progress& progress, const ReadLi
 }
 
 /// Everything that CineReader reads, as images in memory.
-Result<Sequence> picturesOf(const fs::path& file, const std::optional<double>& rate_hz, Progress& progress, const ReadLimits& limits) {
+Result<Sequence> imagesOf(const fs::path& file, const std::optional<double>& rate_hz, Progress& progress, const ReaderLimits& limits) {
   PartOfProgress opening(progress, 0.0, 0.1), reading(progress, 0.1, 1.0);
   auto reader = CineReader::open(file, opening, limits, {}, rate_hz);
   if (!reader) return passOn(reader.error());
@@ -71,21 +71,21 @@ Result<Sequence> picturesOf(const fs::path& file, const std::optional<double>& r
   images.height = info.height_px;
   images.imageType = "BRIGHTNESS";
   const Message what = say<"Reading frames">();
-  CineFrame picture;
+  CineFrame image;
   while (true) {
-    const auto got = reader->next(picture, progress);
+    const auto got = reader->next(image, progress);
     if (!got) return passOn(got.error());
     if (!*got) break;
-    if (images.pixels.size() + picture.level.pixels.size() > limits.maxBytes)
+    if (images.pixels.size() + image.level.pixels.size() > limits.maxBytes)
       return failure(ErrorCode::tooLarge,
                      say<"The images of \"%1\" need more than the %2 MiB of memory that a recording may take; cut it into parts.">(
                          file.filename(), limits.maxBytes >> 20),
                      {{"file", file.string()}});
     SequenceFrame frame;
-    frame.time_s = picture.time_s;
+    frame.time_s = image.time_s;
     frame.imageStatus = PoseStatus::ok;
     images.frames.push_back(std::move(frame));
-    images.pixels.insert(images.pixels.end(), picture.level.pixels.begin(), picture.level.pixels.end());
+    images.pixels.insert(images.pixels.end(), image.level.pixels.begin(), image.level.pixels.end());
     if (info.frames > 0) reading.report(what, std::min(1.0, static_cast<double>(images.frames.size()) / static_cast<double>(info.frames)));
   }
   images.notes = info.notes;
@@ -96,11 +96,11 @@ Result<Sequence> picturesOf(const fs::path& file, const std::optional<double>& r
 }
 
 /// Every way that the poses state, over their times.
-class TimedWays {
+class TransformTimeline {
  public:
   /// @error badField
-  static Result<TimedWays> of(const Sequence& poses, const fs::path& name) {
-    TimedWays ways;
+  static Result<TransformTimeline> of(const Sequence& poses, const fs::path& name) {
+    TransformTimeline ways;
     for (std::size_t n = 0; n < poses.frames.size(); ++n) {
       const SequenceFrame& frame = poses.frames[n];
       if (!frame.time_s)
@@ -118,7 +118,7 @@ class TimedWays {
     EW_EXPECTS(!ways.time_s_.empty());
     std::map<Way, FramePoses> given;
     for (std::size_t n = 0; n < poses.frames.size(); ++n)
-      for (const NamedTransform& one : poses.frames[n].transforms) {
+      for (const FrameTransform& one : poses.frames[n].transforms) {
         FramePoses& way = given[{one.from, one.to}];
         way.resize(poses.frames.size());
         if (one.status == PoseStatus::ok) way[n] = Transform<frame::World, frame::Image>{one.matrix};
@@ -131,7 +131,7 @@ class TimedWays {
   [[nodiscard]] double first_s() const { return time_s_.front(); }
   [[nodiscard]] double last_s() const { return time_s_.back(); }
   [[nodiscard]] double longestGap_s() const { return longestGap_s_; }
-  [[nodiscard]] bool states(const NamedTransform& one) const {
+  [[nodiscard]] bool states(const FrameTransform& one) const {
     return tracks_.contains({one.from, one.to}) || tracks_.contains({one.to, one.from});
   }
 
@@ -150,8 +150,8 @@ class TimedWays {
   }
 
   /// The transforms of a moment; those that are not known are marked invalid.
-  [[nodiscard]] std::vector<NamedTransform> at(double t_s) const {
-    std::vector<NamedTransform> all;
+  [[nodiscard]] std::vector<FrameTransform> at(double t_s) const {
+    std::vector<FrameTransform> all;
     for (const auto& [way, track] : tracks_) {
       const auto pose = track.at(t_s);
       all.push_back({way.first, way.second, pose ? pose->matrix : glm::dmat4(1.0), pose ? PoseStatus::ok : PoseStatus::invalid});
@@ -211,7 +211,7 @@ Message joinedFrom(const fs::path& name, std::size_t poses, double first_s, doub
 }
 
 /// The size of a pixel by a transform from Image or to it; empty: it is none, or not usable.
-std::optional<glm::dvec2> pixelSizeBy_mm(const NamedTransform& one) {
+std::optional<glm::dvec2> pixelSizeBy_mm(const FrameTransform& one) {
   if (one.status != PoseStatus::ok || (one.from != "Image" && one.to != "Image")) return std::nullopt;
   const glm::dmat4 from = one.from == "Image" ? one.matrix : glm::inverse(one.matrix);
   return glm::dvec2(glm::length(glm::dvec3(from[0])), glm::length(glm::dvec3(from[1])));
@@ -219,7 +219,7 @@ std::optional<glm::dvec2> pixelSizeBy_mm(const NamedTransform& one) {
 
 }  // namespace
 
-Result<Sequence> readPoses(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+Result<Sequence> readPoses(const fs::path& file, Progress& progress, const ReaderLimits& limits) {
   if (!isTable(file) && !mayBeSequence(file))
     return failure(
         ErrorCode::unsupported,
@@ -245,11 +245,11 @@ Result<void> checkPixelsOf(const Sequence& poses, const DeviceSet& device, const
   const glm::dvec2 one_mm(1.0);
   const auto differs = [&](const std::optional<glm::dvec2>& pixel_mm) { return pixel_mm && glm::distance(*pixel_mm, one_mm) > 1e-3; };
   const auto calibrated = std::find_if(device.transforms.begin(), device.transforms.end(),
-                                       [&](const NamedTransform& each) { return differs(pixelSizeBy_mm(each)); });
+                                       [&](const FrameTransform& each) { return differs(pixelSizeBy_mm(each)); });
   if (calibrated == device.transforms.end()) return {};
   const glm::dvec2 pixel_mm = *pixelSizeBy_mm(*calibrated);
   for (const SequenceFrame& frame : poses.frames)
-    for (const NamedTransform& each : frame.transforms) {
+    for (const FrameTransform& each : frame.transforms) {
       const auto posed_mm = pixelSizeBy_mm(each);
       if (!posed_mm) continue;
       if (differs(posed_mm)) return {};
@@ -264,12 +264,12 @@ Result<void> checkPixelsOf(const Sequence& poses, const DeviceSet& device, const
   return {};
 }
 
-Result<Sequence> readImages(const fs::path& file, const std::optional<double>& rate_hz, Progress& progress, const ReadLimits& limits,
+Result<Sequence> readImages(const fs::path& file, const std::optional<double>& rate_hz, Progress& progress, const ReaderLimits& limits,
                             const SequenceCheck& beforePixels) {
   const auto ends = [&](std::initializer_list<const char*> endings) {
     return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return hasEnding(file, ending); });
   };
-  if (!ends({".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"})) return picturesOf(file, rate_hz, progress, limits);
+  if (!ends({".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"})) return imagesOf(file, rate_hz, progress, limits);
   const auto sequence = isSequence(file);
   if (!sequence) return passOn(sequence.error());
   auto images = *sequence ? readSequence(file, progress, limits, beforePixels) : slicesOf(file, progress, limits);
@@ -284,7 +284,7 @@ void timeEvenly(Sequence& images, double rate_hz) {
 }
 
 Result<std::vector<Message>> joinPoses(Sequence& images, const Sequence& poses, double offset_s, const fs::path& name) {
-  const auto ways = TimedWays::of(poses, name);
+  const auto ways = TransformTimeline::of(poses, name);
   if (!ways) return passOn(ways.error());
   const auto range_s = momentsOf(images);
   if (!range_s) return passOn(range_s.error());
@@ -301,10 +301,10 @@ Result<std::vector<Message>> joinPoses(Sequence& images, const Sequence& poses, 
   double longestStep_s = 0.0;
   for (SequenceFrame& frame : images.frames) {
     const double t_s = ways->nearestMoment(*frame.time_s + offset_s);
-    std::erase_if(frame.transforms, [&](const NamedTransform& own) { return ways->states(own); });
-    std::vector<NamedTransform> joined = ways->at(t_s);
+    std::erase_if(frame.transforms, [&](const FrameTransform& own) { return ways->states(own); });
+    std::vector<FrameTransform> joined = ways->at(t_s);
     const bool isOutside = t_s < ways->first_s() || t_s > ways->last_s();
-    const bool isPosed = std::any_of(joined.begin(), joined.end(), [](const NamedTransform& one) { return one.status == PoseStatus::ok; });
+    const bool isPosed = std::any_of(joined.begin(), joined.end(), [](const FrameTransform& one) { return one.status == PoseStatus::ok; });
     outside += isOutside ? 1 : 0;
     between += !isOutside && !isPosed ? 1 : 0;
     if (isPosed) longestStep_s = std::max(longestStep_s, ways->stepAround_s(t_s));

@@ -126,7 +126,7 @@ Result<LineGeometry> lineGeometryOf(const Sequence& sequence, const DeviceSet* d
   if (stated.problem()) return passOn(*stated.problem());
   if (std::abs(spacing_mm[0] - spacing_mm[1]) > 1e-6 * spacing_mm[0])
     return failure(ErrorCode::unsupported,
-                   say<"The converted picture shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.">(
+                   say<"The converted image shall have pixels of %1 x %2 mm; give a ScanConversion with square pixels.">(
                        figureText(spacing_mm[0]), figureText(spacing_mm[1])),
                    {{"field", std::string(fields::kOutputSpacing)}});
   geometry.size_px = {static_cast<int>(size[0]), static_cast<int>(size[1])};
@@ -166,12 +166,12 @@ Result<Sequence> convertLines(Sequence lines, const LineGeometry& geometry, int 
   const int samples = lines.width, count = lines.height;
   if (samples < 2 || count < 2)
     return failure(ErrorCode::badField,
-                   say<"The recording has %1 scan lines of %2 samples; a picture needs at least 2 of each.">(count, samples),
+                   say<"The recording has %1 scan lines of %2 samples; an image needs at least 2 of each.">(count, samples),
                    {{"field", "DimSize"}});
   const auto framePixels = static_cast<std::size_t>(geometry.size_px.x) * static_cast<std::size_t>(geometry.size_px.y);
   const std::size_t bytes = framePixels * lines.frames.size();
   const auto tooLarge = [&] {
-    return failure(ErrorCode::tooLarge, say<"The converted pictures need %1 MiB of memory; convert them to fewer pixels.">(bytes >> 20),
+    return failure(ErrorCode::tooLarge, say<"The converted images need %1 MiB of memory; convert them to fewer pixels.">(bytes >> 20),
                    {{"bytes", std::to_string(bytes)}});
   };
   if (bytes > maxBytes) return tooLarge();
@@ -191,15 +191,15 @@ Result<Sequence> convertLines(Sequence lines, const LineGeometry& geometry, int 
   const ScanConversionTable table = makeScanConversion(probe, knobs, grid, display);
 
   const bool nearFirst = lines.orientation[0] == 'F', markerLast = lines.orientation[1] == 'M';
-  Sequence pictures = lines;
+  Sequence images = lines;
   try {
-    pictures.pixels.assign(bytes, 0);
+    images.pixels.assign(bytes, 0);
   } catch (const std::bad_alloc&) {
     return tooLarge();
   }
-  pictures.width = display.width;
-  pictures.height = display.height;
-  pictures.orientation = "MF";
+  images.width = display.width;
+  images.height = display.height;
+  images.orientation = "MF";
   const bool finished = forEachTask(static_cast<int>(lines.frames.size()), threads, progress, say<"Converting scan lines">(), [&](int n) {
     const auto recorded = lines.framePixels(static_cast<std::size_t>(n));
     BeamImage beams(count, samples);
@@ -209,10 +209,10 @@ Result<Sequence> convertLines(Sequence lines, const LineGeometry& geometry, int 
         viewOf(beams).at(line, sample) = static_cast<float>(row[nearFirst ? sample : samples - 1 - sample]);
     }
     scanConvert(table, viewOf(std::as_const(beams)), 0, display.height,
-                {pictures.pixels.data() + static_cast<std::size_t>(n) * framePixels, display.width, display.height, display.width});
+                {images.pixels.data() + static_cast<std::size_t>(n) * framePixels, display.width, display.height, display.width});
   });
   if (!finished) return failure(ErrorCode::cancelled, say<"Converting the scan lines was stopped.">());
-  return pictures;
+  return images;
 }
 
 }  // namespace ew

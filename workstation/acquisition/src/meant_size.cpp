@@ -22,19 +22,19 @@ constexpr double kLargestGap_voxels = 50.0;  // of which a frame measures one or
 
 Message figure(double value) { return numeral(figureText(value, 3)); }
 
-glm::dvec2 pixelSize_mm(const PosedFrame& frame) {
+glm::dvec2 pixelSize_mm(const TrackedFrame& frame) {
   const glm::dmat4& matrix = frame.imageToWorld.matrix;
   return {glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1]))};
 }
 
 /// How far the corner that moves most gets away from where it is in the first frame.
-double movement_mm(std::span<const PosedFrame> frames, const ClipRectangle& clipped) {
+double movement_mm(std::span<const TrackedFrame> frames, const ClipRectangle& clipped) {
   double largest_mm = 0.0;
   for (const double x : {clipped.left, clipped.right})
     for (const double y : {clipped.top, clipped.bottom}) {
       const Point<frame::Image> corner_px{{x, y, 0.0}};
       const glm::dvec3 first_mm = (frames.front().imageToWorld * corner_px).at;
-      for (const PosedFrame& frame : frames)
+      for (const TrackedFrame& frame : frames)
         largest_mm = std::max(largest_mm, glm::distance(first_mm, (frame.imageToWorld * corner_px).at));
     }
   return largest_mm;
@@ -42,7 +42,7 @@ double movement_mm(std::span<const PosedFrame> frames, const ClipRectangle& clip
 
 }  // namespace
 
-Message questionAboutMovement(std::span<const PosedFrame> frames, const ClipRectangle& clipped, double spacing_mm) {
+Message questionAboutMovement(std::span<const TrackedFrame> frames, const ClipRectangle& clipped, double spacing_mm) {
   EW_EXPECTS(!frames.empty());
   if (frames.size() < kFewestMoved) return {};
   const glm::dvec2 used_px(clipped.right - clipped.left + 1.0, clipped.bottom - clipped.top + 1.0);
@@ -62,7 +62,7 @@ Message questionAboutMovement(std::span<const PosedFrame> frames, const ClipRect
       figure(gap_mm), figure(used_mm.x), figure(used_mm.y));
 }
 
-Message questionAboutSize(std::span<const PosedFrame> frames, const ClipRectangle& clipped, double spacing_mm) {
+Message questionAboutSize(std::span<const TrackedFrame> frames, const ClipRectangle& clipped, double spacing_mm) {
   EW_EXPECTS(!frames.empty());
   const auto& pixels = frames.front().pixels;
   const glm::dvec2 pixel_mm = pixelSize_mm(frames.front());

@@ -76,7 +76,7 @@ struct FrameMap {
 
 std::int64_t fixedPoint(double voxels) { return static_cast<std::int64_t>(std::llrint(std::ldexp(voxels, kFractionBits))); }
 
-FrameMap mapOf(const PosedFrame& frame, const ClipSpans& clip, const Grid& grid, double rounding_voxel) {
+FrameMap mapOf(const TrackedFrame& frame, const ClipSpans& clip, const Grid& grid, double rounding_voxel) {
   const glm::dmat4& m = frame.imageToWorld.matrix;
   FrameMap map;
   map.pixels = frame.pixels;
@@ -161,13 +161,13 @@ class Paster {
   using Cell = typename Mode::Cell;
 
  public:
-  Paster(std::span<const PosedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options, const PasteTarget& target)
+  Paster(std::span<const TrackedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options, const PasteTarget& target)
       : clip_(clip),
         target_(target),
         plan_(planFor(target.grid, sizeof(Cell), Mode::kGuard)),
         workers_(static_cast<int>(std::min<std::int64_t>(threadCount(options.threads), plan_.bricks()))) {
     frames_.reserve(frames.size());
-    for (const PosedFrame& frame : frames) frames_.push_back(mapOf(frame, clip, target.grid, Mode::kGuard == 0 ? 0.5 : 0.0));
+    for (const TrackedFrame& frame : frames) frames_.push_back(mapOf(frame, clip, target.grid, Mode::kGuard == 0 ? 0.5 : 0.0));
     scratch_.resize(static_cast<std::size_t>(workers_));
     for (Scratch& scratch : scratch_) {
       scratch.cells.resize(plan_.cellsPerBrick);
@@ -324,12 +324,12 @@ double mostPixelsInVoxel(const FrameMap& frame) {
 }
 
 /// Whether no voxel of a brick can get more pixels than its cell can count.
-bool fewInEveryVoxel(std::span<const PosedFrame> frames, const ClipSpans& clip, const Grid& grid) {
+bool fewInEveryVoxel(std::span<const TrackedFrame> frames, const ClipSpans& clip, const Grid& grid) {
   const BrickPlan plan = planFor(grid, sizeof(paste::SmallSum), 0);
   std::vector<FrameMap> maps;
   std::vector<double> most;
   double all = 0.0;
-  for (const PosedFrame& frame : frames) {
+  for (const TrackedFrame& frame : frames) {
     maps.push_back(mapOf(frame, clip, grid, 0.5));
     most.push_back(mostPixelsInVoxel(maps.back()));
     if (!(most.back() <= paste::kMostSmallPixels)) return false;
@@ -365,7 +365,7 @@ auto withMode(const ReconstructOptions& options, const Use& use) {
 
 }  // namespace
 
-Result<std::size_t> pasteFrames(std::span<const PosedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
+Result<std::size_t> pasteFrames(std::span<const TrackedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
                                 const PasteTarget& target, Progress& progress) {
   const double pastedTo = target.source == nullptr ? 1.0 : 0.5;
   PartOfProgress pasting(progress, 0.0, pastedTo), tracing(progress, pastedTo, 1.0);

@@ -21,8 +21,8 @@ struct PasteTarget {
 /// Pastes every frame into the target. The grid is aligned with the world, of one spacing, and at most kMaxPasteDim voxels along each axis.
 /// @return the number of measured voxels
 /// @error tooLarge (no memory, or 2^28 pixels in one voxel), cancelled
-[[nodiscard]] Result<std::size_t> pasteFrames(std::span<const PosedFrame> frames, const ClipSpans& clip, const ReconstructOptions& options,
-                                              const PasteTarget& target, Progress& progress);
+[[nodiscard]] Result<std::size_t> pasteFrames(std::span<const TrackedFrame> frames, const ClipSpans& clip,
+                                              const ReconstructOptions& options, const PasteTarget& target, Progress& progress);
 
 /// Bytes of the sums of all bricks in work at a time.
 [[nodiscard]] std::uint64_t pasteScratchBytes(const Grid& grid, const ReconstructOptions& options);

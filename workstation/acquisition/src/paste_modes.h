@@ -121,12 +121,12 @@ struct NearestMean {
 };
 
 /// Cells that keep one pixel: its value + 1, so that a measured zero differs from nothing.
-using KeptPixel = std::uint16_t;
-inline Voxel voxelOfKept(KeptPixel cell) { return cell == 0 ? Voxel{} : Voxel{true, static_cast<std::uint8_t>(cell - 1), 1.0}; }
-inline KeptPixel kept(std::uint8_t value) { return static_cast<KeptPixel>(value + 1); }
+using PixelCell = std::uint16_t;
+inline Voxel voxelOfKept(PixelCell cell) { return cell == 0 ? Voxel{} : Voxel{true, static_cast<std::uint8_t>(cell - 1), 1.0}; }
+inline PixelCell kept(std::uint8_t value) { return static_cast<PixelCell>(value + 1); }
 
 struct NearestMaximum {
-  using Cell = KeptPixel;
+  using Cell = PixelCell;
   static constexpr int kGuard = 0;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
     walkNearest(row, brick, [&](Cell& cell, int n) { cell = std::max(cell, kept(row.pixels[n])); });
@@ -135,7 +135,7 @@ struct NearestMaximum {
 };
 
 struct NearestLatest {
-  using Cell = KeptPixel;
+  using Cell = PixelCell;
   static constexpr int kGuard = 0;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
     walkNearest(row, brick, [&](Cell& cell, int n) { cell = kept(row.pixels[n]); });
@@ -213,20 +213,20 @@ struct LinearWeighted {
 };
 
 template <class Keep>
-inline void putWhereWeighty(KeptPixel* near, std::ptrdiff_t rowStride, KeptPixel* far, double fx, double fy, double fz, std::uint8_t value,
+inline void putWhereWeighty(PixelCell* near, std::ptrdiff_t rowStride, PixelCell* far, double fx, double fy, double fz, std::uint8_t value,
                             const Keep& keep) {
   constexpr double kLeastWeight = 0.125;
-  const KeptPixel candidate = kept(value);
+  const PixelCell candidate = kept(value);
   const double wx[2] = {1.0 - fx, fx};
   const double wyz[4] = {(1.0 - fy) * (1.0 - fz), fy * (1.0 - fz), (1.0 - fy) * fz, fy * fz};
-  KeptPixel* const rows[4] = {near, near + rowStride, far, far + rowStride};
+  PixelCell* const rows[4] = {near, near + rowStride, far, far + rowStride};
   for (int row = 0; row < 4; ++row)
     for (int side = 0; side < 2; ++side)
       if (wx[side] * wyz[row] >= kLeastWeight) rows[row][side] = keep(rows[row][side], candidate);
 }
 
 struct LinearMaximum {
-  using Cell = KeptPixel;
+  using Cell = PixelCell;
   static constexpr int kGuard = 1;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
     walkLinear(row, brick, [&](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, int n) {
@@ -237,7 +237,7 @@ struct LinearMaximum {
 };
 
 struct LinearLatest {
-  using Cell = KeptPixel;
+  using Cell = PixelCell;
   static constexpr int kGuard = 1;
   static void walk(const Walk& row, const Cells<Cell>& brick) {
     walkLinear(row, brick, [&](Cell* near, std::ptrdiff_t rowStride, Cell* far, double fx, double fy, double fz, int n) {

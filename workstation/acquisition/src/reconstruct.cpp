@@ -57,7 +57,7 @@ Result<void> checkMatrix(const glm::dmat4& m, std::size_t frame) {
   return {};
 }
 
-Result<void> checkFrames(std::span<const PosedFrame> frames) {
+Result<void> checkFrames(std::span<const TrackedFrame> frames) {
   if (frames.empty())
     return failure(ErrorCode::noValidPose, say<"The sweep has no frame with a usable pose; check the tracking of the recording.">());
   const auto& first = frames.front().pixels;
@@ -101,9 +101,9 @@ Result<void> checkOptions(const ReconstructOptions& options) {
 }
 
 /// Smallest and largest coordinates of the clip rectangle over all frames.
-Bounds boundsOf(std::span<const PosedFrame> frames, const ClipRectangle& rectangle) {
+Bounds boundsOf(std::span<const TrackedFrame> frames, const ClipRectangle& rectangle) {
   glm::dvec3 lowest_mm(std::numeric_limits<double>::infinity()), highest_mm(-std::numeric_limits<double>::infinity());
-  for (const PosedFrame& frame : frames)
+  for (const TrackedFrame& frame : frames)
     for (const double x : {rectangle.left, rectangle.right})
       for (const double y : {rectangle.top, rectangle.bottom}) {
         const glm::dvec3 corner_mm = (frame.imageToWorld * Point<frame::Image>{{x, y, 0.0}}).at;
@@ -114,7 +114,7 @@ Bounds boundsOf(std::span<const PosedFrame> frames, const ClipRectangle& rectang
 }
 
 /// Smallest corner of the clip rectangle over all frames, and samples per axis = round((largest - smallest) / spacing) + 1.
-Extent extentOf(std::span<const PosedFrame> frames, const ClipRectangle& rectangle, double spacing_mm) {
+Extent extentOf(std::span<const TrackedFrame> frames, const ClipRectangle& rectangle, double spacing_mm) {
   const Bounds bounds = boundsOf(frames, rectangle);
   return {bounds.lowest_mm, glm::floor((bounds.highest_mm - bounds.lowest_mm) / spacing_mm + 0.5) + 1.0};
 }
@@ -147,7 +147,7 @@ Result<Grid> checkedGrid(const Extent& extent, const ReconstructOptions& options
 }
 
 /// The grid as it is, when every clipped pixel of the frames falls into it.
-Result<Grid> checkedOnto(const Grid& grid, std::span<const PosedFrame> frames, const ReconstructOptions& options) {
+Result<Grid> checkedOnto(const Grid& grid, std::span<const TrackedFrame> frames, const ReconstructOptions& options) {
   if (const auto smallest = gridFor(frames, options); !smallest) return passOn(smallest.error());
   if (const auto checked = checkGrid(grid); !checked) return passOn(checked.error());
   const auto rectangle = clipRectangle(options.clip, frames.front().pixels.width, frames.front().pixels.height);
@@ -178,7 +178,7 @@ std::uint64_t forecastBytes(const Grid& grid, const ReconstructOptions& options)
   return grid.voxelCount() * perVoxel + most;
 }
 
-Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOptions& options) {
+Result<Grid> gridFor(std::span<const TrackedFrame> frames, const ReconstructOptions& options) {
   if (const auto checked = checkFrames(frames); !checked) return passOn(checked.error());
   if (const auto checked = checkOptions(options); !checked) return passOn(checked.error());
   if (options.keepSource && frames.size() > kMostSources)
@@ -194,13 +194,13 @@ Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOption
   return grid;
 }
 
-Result<ReconstructResult> reconstruct(std::span<const PosedFrame> frames, const ReconstructOptions& options, Progress& progress) {
+Result<ReconstructResult> reconstruct(std::span<const TrackedFrame> frames, const ReconstructOptions& options, Progress& progress) {
   const auto grid = gridFor(frames, options);
   if (!grid) return passOn(grid.error());
   return reconstructOnto(*grid, frames, options, progress);
 }
 
-Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const PosedFrame> frames, const ReconstructOptions& options,
+Result<ReconstructResult> reconstructOnto(const Grid& asked, std::span<const TrackedFrame> frames, const ReconstructOptions& options,
                                           Progress& progress) {
   const auto grid = checkedOnto(asked, frames, options);
   if (!grid) return passOn(grid.error());
@@ -262,7 +262,7 @@ FrameProjection projectionOnto(const Transform<frame::World, frame::Image>& imag
   return {{image.x, image.y}, std::abs(image.z)};
 }
 
-std::optional<SourceFrame> sourceFrameAt(const Grid& grid, std::span<const std::uint16_t> source, std::span<const PosedFrame> frames,
+std::optional<SourceFrame> sourceFrameAt(const Grid& grid, std::span<const std::uint16_t> source, std::span<const TrackedFrame> frames,
                                          const Point<frame::World>& at) {
   EW_EXPECTS(source.size() == grid.voxelCount());
   const glm::dvec3 voxel = glm::floor((grid.worldToVoxel() * at).at + 0.5);

@@ -30,9 +30,9 @@ Cut cutOf(const ClipSpans& spans, int width, int height) {
 
 }  // namespace
 
-Result<Sequence> recordedImages(const OpenedSweep& opened, int every) {
+Result<Sequence> recordedImages(const SweepInput& opened, int every) {
   EW_EXPECTS(every >= 1);
-  const std::vector<PosedFrame> frames = posedFrames(opened);
+  const std::vector<TrackedFrame> frames = posedFrames(opened);
   if (frames.empty())
     return failure(ErrorCode::badField, say<"No image of the recording has a pose, so none can be kept.">(), {{"field", "frames"}});
   const int width = opened.sequence.width, height = opened.sequence.height;

@@ -20,7 +20,7 @@ double commonArea(const PixelRect& a, const PixelRect& b) {
   return width > 0 && height > 0 ? static_cast<double>(width) * height : 0.0;
 }
 
-/// The part of a stretch of pixels that lies in a picture.
+/// The part of a stretch of pixels that lies in an image.
 struct Stretch {
   int from = 0, length = 0;
 };
@@ -48,7 +48,7 @@ double shareUnder(const std::vector<PixelRect>& boxes, const FanOutline& outline
   return whole == 0 ? 0.0 : static_cast<double>(under) / static_cast<double>(whole);
 }
 
-/// Levels by which half of the echoes deviate over time. Five pictures of a tank have 5, scans that move 12 to 30.
+/// Levels by which half of the echoes deviate over time. Five images of a tank have 5, scans that move 12 to 30.
 constexpr float kHardlyMoves = 7.0F;
 
 /// Whether half of what a scan shows is as still as text over it: then sharp echoes cannot be told from characters.
@@ -69,19 +69,19 @@ Error badStated(const char* field, Message message) { return {ErrorCode::badFiel
 constexpr double kSameScale = 0.01;  ///< parts whose pixels differ by less have one scale
 
 std::string rounded(double mm) { return textOf(std::round(mm * 1e4) / 1e4); }
-bool differ(const StatedScale& a, const StatedScale& b) { return std::abs(a.pixel_mm.x / b.pixel_mm.x - 1.0) > kSameScale; }
+bool differ(const PixelScale& a, const PixelScale& b) { return std::abs(a.pixel_mm.x / b.pixel_mm.x - 1.0) > kSameScale; }
 
 /// Of the recording's own scales that of the part where its scan is; the others are those of another size.
 struct OwnScale {
-  const StatedScale* part = nullptr;
-  std::vector<const StatedScale*> others = {};
+  const PixelScale* part = nullptr;
+  std::vector<const PixelScale*> others = {};
   bool spansOthers = false;  ///< the outline reaches over a part of another scale
   double covered = 1.0;      ///< share of the outline's box that lies in parts of that scale, or, where there is none, in any part
   PixelRect outlined = {};   ///< the outline's box
 };
 
 /// The part that holds the middle of the outline, or the only one there is.
-OwnScale ownScaleOf(const FoundScreen& found, const std::optional<FanOutline>& outline) {
+OwnScale ownScaleOf(const ScreenAnalysis& found, const std::optional<FanOutline>& outline) {
   constexpr double kSpans = 0.1;  // of the outline's box: less is how roughly regions are drawn
   OwnScale own;
   if (!outline) {
@@ -93,13 +93,13 @@ OwnScale ownScaleOf(const FoundScreen& found, const std::optional<FanOutline>& o
   const auto holdsMiddle = [middle](const PixelRect& rect) {
     return middle.x >= rect.x && middle.y >= rect.y && middle.x < rect.x + rect.width && middle.y < rect.y + rect.height;
   };
-  for (const StatedScale& part : found.scales)
+  for (const PixelScale& part : found.scales)
     if (own.part == nullptr && holdsMiddle(part.rect)) own.part = &part;
   const PixelRect box{static_cast<int>(std::floor(bounds[0].x)), static_cast<int>(std::floor(bounds[0].y)),
                       static_cast<int>(std::ceil(size.x)), static_cast<int>(std::ceil(size.y))};
   own.outlined = box;
   own.covered = 0.0;
-  for (const StatedScale& part : found.scales) {
+  for (const PixelScale& part : found.scales) {
     const bool isOther = own.part != nullptr && differ(part, *own.part);
     if (!isOther) own.covered += commonArea(part.rect, box) / std::max(1.0, areaOf(box));
     if (!isOther) continue;
@@ -109,22 +109,22 @@ OwnScale ownScaleOf(const FoundScreen& found, const std::optional<FanOutline>& o
   return own;
 }
 
-Message describe(const StatedScale& part) {
+Message describe(const PixelScale& part) {
   return say<"%1 mm at (%2, %3), %4 x %5 pixels">(numeral(rounded(part.pixel_mm.x)), part.rect.x, part.rect.y, part.rect.width,
                                                   part.rect.height);
 }
-Message describe(const std::vector<const StatedScale*>& parts) {
+Message describe(const std::vector<const PixelScale*>& parts) {
   std::vector<Message> each;
-  for (const StatedScale* const part : parts) each.push_back(describe(*part));
+  for (const PixelScale* const part : parts) each.push_back(describe(*part));
   return joined(std::move(each), "; ");
 }
 
 /// Says so where the outline and the parts whose scale the recording states have little or nothing in common: one of them is wrong.
-void noteApart(const FoundScreen& found, const OwnScale& own, std::vector<Message>& notes) {
+void noteApart(const ScreenAnalysis& found, const OwnScale& own, std::vector<Message>& notes) {
   constexpr double kLeastCovered = 0.5;
   if (found.scales.empty() || own.outlined == PixelRect{} || (own.part != nullptr && own.covered >= kLeastCovered)) return;
-  std::vector<const StatedScale*> all;
-  for (const StatedScale& part : found.scales) all.push_back(&part);
+  std::vector<const PixelScale*> all;
+  for (const PixelScale& part : found.scales) all.push_back(&part);
   const PixelRect& box = own.outlined;
   const Message outlined = say<"(%1, %2), %3 x %4 pixels">(box.x, box.y, box.width, box.height);
   const auto percent = std::lround(100.0 * std::min(1.0, own.covered));
@@ -143,7 +143,7 @@ void noteApart(const FoundScreen& found, const OwnScale& own, std::vector<Messag
 }
 
 /// What was stated counts before the recording's own scale, and is held against it.
-void settleScale(const FoundScreen& found, ScreenGeometry& geometry) {
+void settleScale(const ScreenAnalysis& found, ScreenGeometry& geometry) {
   const OwnScale own = ownScaleOf(found, geometry.outline);
   if (!own.spansOthers) noteApart(found, own, geometry.notes);
   if (own.part == nullptr) return;
@@ -188,8 +188,8 @@ const char* nameOf(ScreenPartKind kind) {
   return "";
 }
 
-FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<FanOutline>& outline) {
-  FoundScreen found;
+ScreenAnalysis findScreen(const ScreenStatistics& statistics, const std::optional<FanOutline>& outline) {
+  ScreenAnalysis found;
   found.width_px = statistics.width_px();
   found.height_px = statistics.height_px();
   found.frames = statistics.frames();
@@ -208,7 +208,7 @@ FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<F
   }
   if (found.quality < kSureQuality)
     found.notes.push_back(
-        say<"The outline of the scan was found with doubt; compare it with a picture, and correct it where it is wrong.">());
+        say<"The outline of the scan was found with doubt; compare it with an image, and correct it where it is wrong.">());
   const float background = detail::backgroundOf(statistics);
   found.ticks = detail::findTicks(statistics, *found.outline, background);
   const auto text = detail::findText(statistics, *found.outline);
@@ -228,7 +228,7 @@ FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<F
   return found;
 }
 
-Result<ScreenGeometry> corrected(const FoundScreen& found, const ScreenCorrection& correction) {
+Result<ScreenGeometry> corrected(const ScreenAnalysis& found, const ScreenCorrection& correction) {
   ScreenGeometry geometry;
   geometry.width_px = found.width_px;
   geometry.height_px = found.height_px;
@@ -236,7 +236,7 @@ Result<ScreenGeometry> corrected(const FoundScreen& found, const ScreenCorrectio
   if (geometry.outline) {
     const GreyImage mask = maskOf(*geometry.outline, found.width_px, found.height_px);
     if (!(geometry.outline->depth_px() > 1.0) || std::count(mask.pixels.begin(), mask.pixels.end(), 1) < 64)
-      return tl::unexpected(badStated("outline", say<"The stated outline holds no part of the pictures; correct it.">()));
+      return tl::unexpected(badStated("outline", say<"The stated outline holds no part of the images; correct it.">()));
   }
   const auto usable = [](double mm) { return std::isfinite(mm) && mm > 0.0 && mm < 1e4; };
   for (const auto& [field, value] : {std::pair("depth_mm", correction.depth_mm), std::pair("tick_mm", correction.tick_mm)})
@@ -327,12 +327,12 @@ ScreenCleaner::ScreenCleaner(const ScreenGeometry& geometry, const CleaningOptio
     }
 }
 
-void ScreenCleaner::clean(const GreyImage& picture, GreyImage& clean) const {
+void ScreenCleaner::clean(const GreyImage& image, GreyImage& clean) const {
   clean.width = kept_.width;
   clean.height = kept_.height;
   clean.pixels.resize(mask_.pixels.size());
   for (int y = 0; y < kept_.height; ++y) {
-    const std::uint8_t* const from = viewOf(picture).row(y + kept_.y) + kept_.x;
+    const std::uint8_t* const from = viewOf(image).row(y + kept_.y) + kept_.x;
     const std::uint8_t* const takes = viewOf(mask_).row(y);
     std::uint8_t* const to = viewOf(clean).row(y);
     for (int x = 0; x < kept_.width; ++x) to[x] = takes[x] != 0 ? from[x] : std::uint8_t{0};

@@ -114,7 +114,7 @@ bool holds(const PixelRect& rect, glm::dvec2 p) {
 
 }  // namespace
 
-std::vector<PlacedGrip> gripsOf(const FanOutline& outline) {
+std::vector<GripPosition> gripsOf(const FanOutline& outline) {
   if (outline.shape == FanShape::linear) {
     const auto& c = outline.corners_px;
     return {{OutlineGrip::upperLeft, c[0]},

@@ -102,7 +102,7 @@ ordered_json toJson(const ScreenCorrection& correction) {
   return json;
 }
 
-ordered_json toJson(const FoundScreen& found) {
+ordered_json toJson(const ScreenAnalysis& found) {
   ordered_json json{{"size_px", {found.width_px, found.height_px}}, {"frames", found.frames}, {"quality", found.quality}};
   json["outline"] = found.outline ? toJson(*found.outline) : ordered_json(nullptr);
   if (found.ticks)
@@ -128,7 +128,7 @@ std::filesystem::path screenFileBeside(const std::filesystem::path& recording) {
   return recording.parent_path() / (name.string() + ".screen.json");
 }
 
-Result<void> writeScreen(const FoundScreen& found, const ScreenCorrection& correction, const std::filesystem::path& file) {
+Result<void> writeScreen(const ScreenAnalysis& found, const ScreenCorrection& correction, const std::filesystem::path& file) {
   const ordered_json document{
       {"format", "echoweave-screen"}, {"version", kVersion}, {"found", toJson(found)}, {"correction", toJson(correction)}};
   return writeFileSafely(file, document.dump(2) + "\n");

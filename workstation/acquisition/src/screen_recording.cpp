@@ -25,7 +25,7 @@ glm::dvec2 faceOf(const FanOutline& outline) {
 
 /// Frames of the recording, those that cannot be read with them. One that was read to its end has what it gave, whatever it promises; of
 /// one that broke off a guessed number is made anew, by the mean rate of what was read.
-std::uint64_t framesThere(const OpenedScreen& opened) {
+std::uint64_t framesThere(const ScreenSurvey& opened) {
   const std::uint64_t given = opened.times_s.size();
   if (!opened.brokenOff) return given;
   const CineInfo& info = opened.reader.info();
@@ -39,12 +39,13 @@ std::uint64_t framesThere(const OpenedScreen& opened) {
 
 }  // namespace
 
-Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const std::optional<FanOutline>& outline, Progress& progress,
-                                const ReadLimits& limits, int mostFrames, const Orientation& turned, const std::optional<double>& rate_hz) {
+Result<ScreenSurvey> openScreen(const std::filesystem::path& recording, const std::optional<FanOutline>& outline, Progress& progress,
+                                const ReaderLimits& limits, int mostFrames, const Orientation& turned,
+                                const std::optional<double>& rate_hz) {
   PartOfProgress opening(progress, 0.0, 0.05), looking(progress, 0.05, 0.9);
   auto reader = CineReader::open(recording, opening, limits, turned, rate_hz);
   if (!reader) return passOn(reader.error());
-  OpenedScreen opened{.recording = recording, .reader = *std::move(reader), .found = {}, .times_s = {}, .picture = {}, .brokenOff = {}};
+  ScreenSurvey opened{.recording = recording, .reader = *std::move(reader), .found = {}, .times_s = {}, .image = {}, .brokenOff = {}};
   const CineInfo& info = opened.reader.info();
   ScreenStatistics statistics(info.width_px, info.height_px);
   const std::uint64_t promised = std::max<std::uint64_t>(info.frames, 1);
@@ -62,14 +63,14 @@ Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const st
     // A film that does not say how many frames it has: the later, the sparser.
     if (!isCounted && n >= 2 * every * most) every *= 2;
     if (n % every == 0) statistics.add(frame);
-    if (n == 0 || n == promised / 2) opened.picture = frame.level;
+    if (n == 0 || n == promised / 2) opened.image = frame.level;
     looking.report(what, std::min(1.0, static_cast<double>(n + 1) / static_cast<double>(promised)));
   }
   if (opened.times_s.empty())
     return failure(ErrorCode::truncated, say<"'%1' has no frames that can be read.">(recording.filename()), {{"file", recording.string()}});
   opened.brokenOff = opened.reader.brokenOff();
   if (outline) {
-    const FoundScreen none{.width_px = info.width_px, .height_px = info.height_px};
+    const ScreenAnalysis none{.width_px = info.width_px, .height_px = info.height_px};
     if (const auto usable = corrected(none, {.outline = outline}); !usable) return passOn(usable.error());
   }
   opened.found = findScreen(statistics, outline);
@@ -79,7 +80,7 @@ Result<OpenedScreen> openScreen(const std::filesystem::path& recording, const st
   return opened;
 }
 
-Sequence cleanedHeader(const OpenedScreen& opened, const ScreenGeometry& geometry, const PixelRect& kept) {
+Sequence cleanedHeader(const ScreenSurvey& opened, const ScreenGeometry& geometry, const PixelRect& kept) {
   Sequence sequence;
   sequence.width = kept.width;
   sequence.height = kept.height;
@@ -89,9 +90,9 @@ Sequence cleanedHeader(const OpenedScreen& opened, const ScreenGeometry& geometr
     frame.time_s = time_s;
     frame.imageStatus = PoseStatus::ok;
     if (geometry.pixel_mm) {
-      glm::dmat4 imageToPicture(*geometry.pixel_mm);
-      imageToPicture[3][3] = 1.0;
-      frame.transforms.push_back({"Image", "Picture", imageToPicture, PoseStatus::ok});
+      glm::dmat4 imageToPlane(*geometry.pixel_mm);
+      imageToPlane[3][3] = 1.0;
+      frame.transforms.push_back({"Image", "Picture", imageToPlane, PoseStatus::ok});
     }
     sequence.frames.push_back(std::move(frame));
   }
@@ -137,9 +138,9 @@ DeviceSet deviceSetOf(const ScreenGeometry& geometry, const PixelRect& kept) {
   return set;
 }
 
-KeptShare keptOf(const OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options) {
+Retention keptOf(const ScreenSurvey& opened, const ScreenGeometry& geometry, const CleaningOptions& options) {
   const auto areaOf = [](std::uint64_t width, std::uint64_t height) { return width * height; };
-  KeptShare kept{.frames = opened.times_s.size(), .framesOf = framesThere(opened)};
+  Retention kept{.frames = opened.times_s.size(), .framesOf = framesThere(opened)};
   kept.pixels = kept.pixelsOf = areaOf(static_cast<std::uint64_t>(geometry.width_px), static_cast<std::uint64_t>(geometry.height_px));
   if (!options.keepOutside && geometry.outline) {
     const PixelRect part = ScreenCleaner(geometry, options).kept();
@@ -148,8 +149,8 @@ KeptShare keptOf(const OpenedScreen& opened, const ScreenGeometry& geometry, con
   return kept;
 }
 
-Result<CleanedScreen> writeCleaned(OpenedScreen& opened, const ScreenGeometry& geometry, const CleaningOptions& options,
-                                   const std::filesystem::path& file, Progress& progress) {
+Result<ScreenCleaning> writeCleaned(ScreenSurvey& opened, const ScreenGeometry& geometry, const CleaningOptions& options,
+                                    const std::filesystem::path& file, Progress& progress) {
   if (!geometry.outline && !options.keepOutside)
     return failure(ErrorCode::unsupported,
                    say<"Where the scan lies is not known, so the recording cannot be cleaned; state its outline in a correction.">());
@@ -168,11 +169,11 @@ Result<CleanedScreen> writeCleaned(OpenedScreen& opened, const ScreenGeometry& g
   };
   const Sequence header = cleanedHeader(opened, geometry, cleaner.kept());
   if (auto written = writeSequence(header, next, file, progress); !written) return passOn(written.error());
-  CleanedScreen cleaned{.frames = opened.times_s.size(),
-                        .kept = cleaner.kept(),
-                        .pixelsInside = cleaner.pixelsInside(),
-                        .pixelsFilled = cleaner.pixelsFilled(),
-                        .removed = opened.reader.info().removed};
+  ScreenCleaning cleaned{.frames = opened.times_s.size(),
+                         .kept = cleaner.kept(),
+                         .pixelsInside = cleaner.pixelsInside(),
+                         .pixelsFilled = cleaner.pixelsFilled(),
+                         .removed = opened.reader.info().removed};
   cleaned.removed.blankedOutside = {cleaner.kept()};
   cleaned.removed.blanked = geometry.text;
   const auto all = static_cast<std::uint64_t>(geometry.width_px) * static_cast<std::uint64_t>(geometry.height_px);

@@ -13,9 +13,9 @@ namespace {
 constexpr double kFinestCarried_mm = 0.3;
 constexpr double kCoarsestCarried_mm = 1.0;
 
-Beams::Fan wayOfApex(std::span<const PosedFrame> frames, const glm::dvec2& apex_px) {
+Beams::Fan wayOfApex(std::span<const TrackedFrame> frames, const glm::dvec2& apex_px) {
   std::vector<glm::dvec3> places;
-  for (const PosedFrame& frame : frames) places.emplace_back(frame.imageToWorld.matrix * glm::dvec4(apex_px, 0.0, 1.0));
+  for (const TrackedFrame& frame : frames) places.emplace_back(frame.imageToWorld.matrix * glm::dvec4(apex_px, 0.0, 1.0));
   const auto farthestFrom = [&](const glm::dvec3& from) {
     return *std::max_element(places.begin(), places.end(),
                              [&](const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(from, a) < glm::distance(from, b); });
@@ -26,8 +26,8 @@ Beams::Fan wayOfApex(std::span<const PosedFrame> frames, const glm::dvec2& apex_
 
 }  // namespace
 
-double frameDistance_mm(std::span<const PosedFrame> frames) {
-  const auto middleOf = [](const PosedFrame& frame) {
+double frameDistance_mm(std::span<const TrackedFrame> frames) {
+  const auto middleOf = [](const TrackedFrame& frame) {
     return glm::dvec3(frame.imageToWorld.matrix * glm::dvec4(0.5 * (frame.pixels.width - 1), 0.5 * (frame.pixels.height - 1), 0.0, 1.0));
   };
   std::vector<double> distances_mm;
@@ -35,7 +35,7 @@ double frameDistance_mm(std::span<const PosedFrame> frames) {
   return distances_mm.empty() ? 0.0 : upperMedianOf(distances_mm);
 }
 
-double carriedSpacing_mm(std::span<const PosedFrame> frames) {
+double carriedSpacing_mm(std::span<const TrackedFrame> frames) {
   if (frames.empty()) return kCoarsestCarried_mm;
   const glm::dmat4& matrix = frames.front().imageToWorld.matrix;
   const double pixel_mm = std::max(glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])));
@@ -43,14 +43,14 @@ double carriedSpacing_mm(std::span<const PosedFrame> frames) {
   return std::round(20.0 * std::clamp(carried_mm, kFinestCarried_mm, kCoarsestCarried_mm)) / 20.0;
 }
 
-double usualFillReach_mm(std::span<const PosedFrame> frames, double spacing_mm) {
+double usualFillReach_mm(std::span<const TrackedFrame> frames, double spacing_mm) {
   return std::max(3.0 * spacing_mm, 2.5 * frameDistance_mm(frames));
 }
 
-std::optional<Beams> beamsOf(std::span<const PosedFrame> frames, const Clip& clip) {
+std::optional<Beams> beamsOf(std::span<const TrackedFrame> frames, const Clip& clip) {
   EW_EXPECTS(!frames.empty());
   glm::dvec3 sum(0.0);
-  for (const PosedFrame& frame : frames) {
+  for (const TrackedFrame& frame : frames) {
     const glm::dvec3 down(frame.imageToWorld.matrix[1]);
     if (glm::length(down) > 0.0) sum += glm::normalize(down);
   }

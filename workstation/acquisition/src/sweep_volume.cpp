@@ -19,7 +19,7 @@ Result<void> checkFits(const ImportPlan& plan) {
 
 }  // namespace
 
-Result<OpenedSweep> openSweepVolume(const std::filesystem::path& sweep, const SweepVolumeOptions& options, Progress& progress) {
+Result<SweepInput> openSweepVolume(const std::filesystem::path& sweep, const SweepVolumeOptions& options, Progress& progress) {
   SweepImportOptions import;
   if (!options.calibration.empty()) import.calibrations = {options.calibration};
   import.reconstruct.threads = options.threads;
@@ -32,7 +32,7 @@ Result<OpenedSweep> openSweepVolume(const std::filesystem::path& sweep, const Sw
 
 std::uint64_t sweepVolumeBytes(const ImportPlan& plan) { return plan.bytes + plan.frameBytes + 2 * plan.grid.voxelCount(); }
 
-Result<SweepVolume> makeSweepVolume(const OpenedSweep& opened, Progress& progress) {
+Result<SweepVolume> makeSweepVolume(const SweepInput& opened, Progress& progress) {
   const ImportPlan& plan = opened.plan;
   const ReconstructOptions& how = plan.reconstruct;
   if (auto meant = checkMeant(opened); !meant) return passOn(meant.error());

@@ -84,7 +84,7 @@ std::optional<ProbeGlyph> glyphFor(const BodyMark& mark, const Transform<frame::
   return limited(ProbeGlyph{place, std::atan2(glm::dot(along, axes.down), glm::dot(along, axes.right))});
 }
 
-std::vector<const BodyMark*> marksFor(const std::vector<BodyMark>& marks, const MarkedBody& body) {
+std::vector<const BodyMark*> marksFor(const std::vector<BodyMark>& marks, const MarkSubject& body) {
   std::vector<const BodyMark*> ofRegion, ofMannequin;
   for (const BodyMark& mark : marks) {
     if (!mark.mannequins.empty() && !body.mannequin.empty() && !isAmong(mark.mannequins, body.mannequin)) continue;

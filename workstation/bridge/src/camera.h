@@ -12,7 +12,7 @@ class OrbitCamera {
  public:
   static constexpr double kOpening_rad = 0.5235987755982988;  ///< 30 degrees from top to bottom
 
-  /// What the picture shows at least, measured in the plane through the focal point.
+  /// What the image shows at least, measured in the plane through the focal point.
   struct Framing {
     glm::dvec3 focal_mm{0.0};
     double width_mm = 0.0;

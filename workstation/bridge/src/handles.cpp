@@ -144,7 +144,7 @@ double HandleDrag::stepped(double step) const { return step > 0.0 ? std::round(a
 
 HandlesToWorld HandleDrag::toWorld(double step) const { return moved(from_.toWorld, handle_, stepped(step)); }
 
-SeenAxes axesAsSeen(const HandlesToWorld& toWorld, const glm::dvec3& right, const glm::dvec3& up, const glm::dvec3& forward) {
+ViewAxes axesAsSeen(const HandlesToWorld& toWorld, const glm::dvec3& right, const glm::dvec3& up, const glm::dvec3& forward) {
   const std::array<glm::dvec3, 3> views{right, up, forward};
   std::array<int, 3> order{0, 1, 2}, best = order;
   double most = -1.0;

@@ -27,7 +27,7 @@
 #include "ew/bridge/handles.h"
 #include "ew/bridge/organ_surfaces.h"
 #include "ew/core/contract.h"
-#include "fan_picture.h"
+#include "fan_image.h"
 #include "handles_model.h"
 #include "orientation_cube.h"
 #include "probe_model.h"
@@ -124,7 +124,7 @@ struct Scene3D::Parts {
 
   vtkNew<vtkActor> housing;
   vtkNew<vtkPolyDataMapper> housingMapper;
-  FanPicture fan;
+  FanImage fan;
   Probe probe;
   double depth_mm = 0.0;
   double steering_rad = 0.0;
@@ -434,9 +434,9 @@ void Scene3D::setProbeVisible(bool visible) {
   parts_->updateVisibility();
 }
 
-void Scene3D::setFanImage(const Picture& picture, const DisplayGeometry& geometry) { parts_->fan.setPicture(picture, geometry); }
+void Scene3D::setFanImage(const DisplayImage& image, const DisplayGeometry& geometry) { parts_->fan.setImage(image, geometry); }
 
-void Scene3D::clearFanImage() { parts_->fan.clearPicture(); }
+void Scene3D::clearFanImage() { parts_->fan.clearImage(); }
 
 std::vector<glm::dvec3> Scene3D::fanCorners_mm() const { return parts_->fan.corners_mm(); }
 
@@ -522,7 +522,7 @@ void Scene3D::render(Edges edges) {
   Parts& p = *parts_;
   vtkRenderer& last = p.handles ? p.handlesModel.layer() : *p.overlay;
   p.overlay->SetUseFXAA(false);
-  last.SetUseFXAA(edges == Edges::smooth);  // on the last layer it smooths the whole picture
+  last.SetUseFXAA(edges == Edges::smooth);  // on the last layer it smooths the whole image
   p.cube.setSmooth(edges == Edges::smooth);
   p.syncCamera();
   if (const auto place = handles()) p.handlesModel.setPlace(*place, p.camera.eye_mm());

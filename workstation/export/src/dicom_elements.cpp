@@ -121,7 +121,7 @@ Result<void> Elements::check() const {
 }
 
 void putPatientAndStudy(Elements& elements, const DicomStudy& study) {
-  const ExaminedPatient& patient = study.patient;
+  const PatientIdentity& patient = study.patient;
   elements.text(DCM_SpecificCharacterSet, "ISO_IR 192");
   elements.text(DCM_PatientName, personName(patient.name));
   elements.text(DCM_PatientID, fitting(patient.id, 64));

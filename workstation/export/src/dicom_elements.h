@@ -50,7 +50,7 @@ class Elements {
   std::string refused_;
 };
 
-/// Patient, study, equipment and SOP Common; and of the series what is no picture's or report's own.
+/// Patient, study, equipment and SOP Common; and of the series what is no image's or report's own.
 struct ObjectHead {
   std::string classUid;
   std::string instanceUid;

@@ -28,7 +28,7 @@ std::string decimalOf(std::array<std::uint32_t, 4> words) {
 DicomStudy begun(std::chrono::sys_seconds now) {
   DicomStudy study;
   study.studyUid = newDicomUid();
-  study.picturesUid = newDicomUid();
+  study.imagesUid = newDicomUid();
   study.reportsUid = newDicomUid();
   study.begun = now;
   return study;

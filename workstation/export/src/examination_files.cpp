@@ -16,24 +16,24 @@ std::string threeDigits(std::size_t number) {
 Result<std::vector<std::filesystem::path>> writeExamination(const ExaminationFiles& examination, const std::filesystem::path& folder,
                                                             Progress& progress) {
   std::vector<std::filesystem::path> files;
-  std::vector<DicomReference> pictures;
+  std::vector<DicomReference> images;
   const auto report = [&] {
     progress.report(say<"Writing images and reports">(), static_cast<double>(files.size()) / static_cast<double>(examination.count()));
     return !progress.cancelRequested();
   };
   const auto stopped = [] { return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">()); };
-  for (const auto& [still, options] : examination.pictures) {
+  for (const auto& [still, options] : examination.images) {
     if (!report()) return stopped();
     files.push_back(folder / ("picture_" + threeDigits(files.size() + 1) + ".dcm"));
-    auto written = writeDicomPicture(still, options, examination.study, files.back());
+    auto written = writeDicomImage(still, options, examination.study, files.back());
     if (!written) return passOn(written.error());
-    pictures.push_back(std::move(*written));
+    images.push_back(std::move(*written));
   }
   int number = 0;
   for (const ExaminationFiles::Report& each : examination.reports) {
     if (!report()) return stopped();
     files.push_back(folder / (each.worksheet.package + ".dcm"));
-    const MeasurementReportOptions options{.instanceUid = each.instanceUid, .number = ++number, .made = each.made, .pictures = pictures};
+    const MeasurementReportOptions options{.instanceUid = each.instanceUid, .number = ++number, .made = each.made, .images = images};
     if (auto written = writeMeasurementReport(each.worksheet, options, examination.study, files.back()); !written)
       return passOn(written.error());
   }
@@ -41,7 +41,7 @@ Result<std::vector<std::filesystem::path>> writeExamination(const ExaminationFil
 }
 
 Result<DicomReference> writeDicomScan(const ScanLog& log, const std::vector<std::size_t>& frames,
-                                      const std::function<Result<std::pair<Picture, DisplayGeometry>>(std::size_t n)>& make,
+                                      const std::function<Result<std::pair<DisplayImage, DisplayGeometry>>(std::size_t n)>& make,
                                       const DicomStudy& study, const std::filesystem::path& file, Progress& progress) {
   EW_EXPECTS(!frames.empty());
   DisplayGeometry geometry;
@@ -68,7 +68,7 @@ Result<DicomReference> writeDicomScan(const ScanLog& log, const std::vector<std:
     return still;
   };
   const ScanState begun = log.frame(frames.front());
-  return writeDicomClip(clip, pictureOptions(begun.probe, begun.knobs, geometry, 1, study.begun), study, file, progress);
+  return writeDicomClip(clip, imageOptions(begun.probe, begun.knobs, geometry, 1, study.begun), study, file, progress);
 }
 
 }  // namespace ew

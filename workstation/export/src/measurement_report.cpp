@@ -126,13 +126,13 @@ class RowWriter {
     tree_.text(kContext, dcm("121014", "Device Observer Manufacturer"), "EchoWeave");
     tree_.text(kContext, dcm("121015", "Device Observer Model Name"), std::string("EchoWeave ") + kVersion);
   }
-  void library(const std::vector<DicomReference>& pictures) {
-    if (pictures.empty()) return;
+  void library(const std::vector<DicomReference>& images) {
+    if (images.empty()) return;
     tree_.container(
         dcm("111028", "Image Library"),
         [&] {
           tree_.container(dcm("126200", "Image Library Group"), [&] {
-            for (const DicomReference& picture : pictures) tree_.image(picture);
+            for (const DicomReference& image : images) tree_.image(image);
           });
         },
         "1600");
@@ -192,7 +192,7 @@ class RowWriter {
     if (row.isFormula) {
       if (const auto equation = equationOf(sheet_.package, row.label)) tree_.code(kInferredFrom, dcm("121420", "Equation"), *equation);
       if (!row.source.empty()) tree_.text(kInferredFrom, dcm("121421", "Equation Citation"), row.source);
-      for (const UsedValue& used : row.inputs) {
+      for (const FormulaValue& used : row.inputs) {
         WorksheetRow input;
         input.label = used.of;
         if (const WorksheetRow* known = sheet_.row(used.of, used.side)) input.title = known->title;
@@ -223,10 +223,10 @@ class ObstetricReport {
  public:
   ObstetricReport(ReportTree& tree, const Worksheet& sheet) : tree_(tree), sheet_(sheet), writer_(tree, sheet) {}
 
-  void write(const std::vector<DicomReference>& pictures) {
+  void write(const std::vector<DicomReference>& images) {
     tree_.root(dcm("125000", "OB-GYN Ultrasound Procedure Report"), "5000");
     writer_.head();
-    writer_.library(pictures);
+    writer_.library(images);
     summary();
     section(dcm("125001", "Fetal Biometry Ratios"), "5004", Place::ratios);
     section(dcm("125002", "Fetal Biometry"), "5005", Place::biometry);
@@ -242,7 +242,7 @@ class ObstetricReport {
   }
   [[nodiscard]] std::vector<const WorksheetRow*> rowsAt(Place place) const {
     std::vector<const WorksheetRow*> rows;
-    for (const FilledSection& each : sheet_.sections)
+    for (const SectionValues& each : sheet_.sections)
       for (const WorksheetRow& row : each.rows)
         if (placeOf(row) == place) rows.push_back(&row);
     return rows;
@@ -308,14 +308,14 @@ class ObstetricReport {
 };
 
 /// TID 1500: a measurement group (TID 1501) for each section of the worksheet and side.
-void writeImagingReport(ReportTree& tree, const Worksheet& sheet, const std::vector<DicomReference>& pictures) {
+void writeImagingReport(ReportTree& tree, const Worksheet& sheet, const std::vector<DicomReference>& images) {
   RowWriter writer(tree, sheet);
   tree.root(dcm("126000", "Imaging Measurement Report"), "1500");
   writer.head();
   tree.code(kModifies, dcm("121058", "Procedure reported"), snomed("16310003", "Ultrasonography"));
-  writer.library(pictures);
+  writer.library(images);
   tree.container(dcm("126010", "Imaging Measurements"), [&] {
-    for (const FilledSection& section : sheet.sections)
+    for (const SectionValues& section : sheet.sections)
       for (const std::string side : {"", "right", "left"}) {
         const auto belongs = [&](const WorksheetRow& row) { return row.side == side; };
         if (std::none_of(section.rows.begin(), section.rows.end(), belongs)) continue;
@@ -351,13 +351,13 @@ Result<DicomReference> writeMeasurementReport(const Worksheet& worksheet, const 
   document.setSpecificCharacterSetType(DSRTypes::CS_UTF8);
   ReportTree tree(document.getTree());
   if (worksheet.package == "obstetric")
-    ObstetricReport(tree, worksheet).write(options.pictures);
+    ObstetricReport(tree, worksheet).write(options.images);
   else
-    writeImagingReport(tree, worksheet, options.pictures);
+    writeImagingReport(tree, worksheet, options.images);
   if (!tree.refused().empty()) return notMade(tree.refused());
-  for (const DicomReference& picture : options.pictures) {
-    const auto added = document.getCurrentRequestedProcedureEvidence().addItem(study.studyUid.c_str(), study.picturesUid.c_str(),
-                                                                               picture.classUid.c_str(), picture.instanceUid.c_str());
+  for (const DicomReference& image : options.images) {
+    const auto added = document.getCurrentRequestedProcedureEvidence().addItem(study.studyUid.c_str(), study.imagesUid.c_str(),
+                                                                               image.classUid.c_str(), image.instanceUid.c_str());
     if (added.bad()) return notMade(added.text());
   }
   document.getCodingSchemeIdentification().addItem(kPrivateCodingScheme);

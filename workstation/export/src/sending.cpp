@@ -200,7 +200,7 @@ class Round {
     ++entry.attempts;
     if (context == 0)
       return refuse(entry, plainContextFor(classOf(entry)) == 0 ? "the archive does not take objects of this kind"
-                                                                : "the archive does not take pictures that are packed in this way");
+                                                                : "the archive does not take images that are packed in this way");
     DcmFileFormat file;
     OFCondition status = file.loadFile(outbox_.copyOf(entry).c_str());
     if (status.bad()) return refuse(entry, "the copy in the outbox cannot be read: " + std::string(status.text()));

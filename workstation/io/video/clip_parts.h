@@ -11,7 +11,7 @@ struct EwClipParts {
   EwClipParts& operator=(const EwClipParts&) = delete;
   virtual ~EwClipParts() = default;
   virtual bool add(const unsigned char* rgb, std::string& why) = 0;
-  /// Once, after the last picture. @return whether all of the film is in its file
+  /// Once, after the last image. @return whether all of the film is in its file
   virtual bool finish(std::string& why) = 0;
 };
 

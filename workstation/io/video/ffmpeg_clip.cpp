@@ -20,7 +20,7 @@ using ew_video::Packet;
 using ew_video::saidOf;
 
 /// A film of even size, whose last row and column are repeated where the images have an odd one: players ask for even ones, and black there
-/// would spread into the picture.
+/// would spread into the image.
 class Mp4 final : public EwClipParts {
  public:
   Mp4(int width_px, int height_px) : width_px_(width_px), height_px_(height_px) {}

@@ -138,7 +138,7 @@ class Video final : public EwFilmParts {
   bool openDecoder(const char* codecs, std::string& why) {
     const int best = av_find_best_stream(in_, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (best < 0) {
-      why = "it has no pictures";
+      why = "it has no images";
       return false;
     }
     stream_ = in_->streams[best];
@@ -200,7 +200,7 @@ class Video final : public EwFilmParts {
     constexpr int kMost = 4096;
     return ++faults_ < kMost;
   }
-  /// How far any stream reached: sound often goes on while a picture stands.
+  /// How far any stream reached: sound often goes on while an image stands.
   void noteReach() {
     const std::int64_t at = packet_->pts != AV_NOPTS_VALUE ? packet_->pts : packet_->dts;
     if (at == AV_NOPTS_VALUE) return;

@@ -24,7 +24,7 @@ namespace {
 
 bool openCamera(EwLive& live, int width_px, int height_px, double rate_hz) {
   if (!live.in.open(live.file, cv::CAP_V4L2)) return false;
-  // Raw pictures of that size and rate are more than a USB 2 cable carries.
+  // Raw images of that size and rate are more than a USB 2 cable carries.
   live.in.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
   live.in.set(cv::CAP_PROP_FRAME_WIDTH, width_px);
   live.in.set(cv::CAP_PROP_FRAME_HEIGHT, height_px);
@@ -46,7 +46,7 @@ void makeGrey(EwLive& live) {
   }
 }
 
-int next(EwLive& live, double wait_s, EwLivePicture& picture) {
+int next(EwLive& live, double wait_s, EwLiveImage& image) {
   if (!live.isFilm) {
     // A read of a camera that was pulled out would wait for ten seconds.
     std::vector<int> ready;
@@ -54,15 +54,15 @@ int next(EwLive& live, double wait_s, EwLivePicture& picture) {
       return ::access(live.file.c_str(), F_OK) == 0 ? 0 : -1;
   }
   if (!live.in.grab()) return -1;
-  picture.arrival_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  picture.stamp_s = live.in.get(cv::CAP_PROP_POS_MSEC) * 1e-3;
-  // Half a picture of a camera is no reason to give up: the next one may be whole.
+  image.arrival_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  image.stamp_s = live.in.get(cv::CAP_PROP_POS_MSEC) * 1e-3;
+  // Half an image of a camera is no reason to give up: the next one may be whole.
   if (!live.in.retrieve(live.coloured) || live.coloured.empty() || live.coloured.depth() != CV_8U) return live.isFilm ? -1 : 0;
   makeGrey(live);
-  picture.grey = live.grey.data;
-  picture.width_px = live.grey.cols;
-  picture.height_px = live.grey.rows;
-  picture.stride_bytes = static_cast<std::ptrdiff_t>(live.grey.step[0]);
+  image.grey = live.grey.data;
+  image.width_px = live.grey.cols;
+  image.height_px = live.grey.rows;
+  image.stride_bytes = static_cast<std::ptrdiff_t>(live.grey.step[0]);
   return 1;
 }
 
@@ -89,9 +89,9 @@ EwLive* ewLiveOpen(const char* file, int isFilm, int width_px, int height_px, do
   }
 }
 
-int ewLiveNext(EwLive* live, double wait_s, EwLivePicture* picture) {
+int ewLiveNext(EwLive* live, double wait_s, EwLiveImage* image) {
   try {
-    return next(*live, wait_s, *picture);
+    return next(*live, wait_s, *image);
   } catch (const std::exception&) {
     return -1;
   }

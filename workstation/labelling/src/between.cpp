@@ -8,16 +8,16 @@
 namespace ew::labelling {
 namespace {
 
-glm::dvec3 middleOfContour(const TracedContour& traced) {
+glm::dvec3 middleOfContour(const ContourTrace& traced) {
   glm::dvec2 sum(0.0);
   for (const glm::dvec2& p : traced.points) sum += p;
   return carried(traced.planeToFile, {sum / static_cast<double>(traced.points.size()), 0.0});
 }
 
 /// Contours in the order in which they follow one another along the structure.
-std::vector<const TracedContour*> inOrder(std::span<const TracedContour> contours) {
+std::vector<const ContourTrace*> inOrder(std::span<const ContourTrace> contours) {
   std::vector<glm::dvec3> middles;
-  for (const TracedContour& each : contours) middles.push_back(middleOfContour(each));
+  for (const ContourTrace& each : contours) middles.push_back(middleOfContour(each));
   glm::dvec3 along(0.0);
   for (const glm::dvec3& a : middles)
     for (const glm::dvec3& b : middles)
@@ -26,18 +26,18 @@ std::vector<const TracedContour*> inOrder(std::span<const TracedContour> contour
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return glm::dot(middles[a], along) < glm::dot(middles[b], along); });
-  std::vector<const TracedContour*> sorted;
+  std::vector<const ContourTrace*> sorted;
   for (const std::size_t n : order) sorted.push_back(&contours[n]);
   return sorted;
 }
 
 /// Two neighbours, the planes' normals turned so that each sees the other before it.
 struct Slab {
-  const TracedContour* contours[2];
+  const ContourTrace* contours[2];
   Transform<frame::Probe, frame::File> toPlane[2];
   double ahead[2];  ///< sign of z towards the other
 
-  Slab(const TracedContour& a, const TracedContour& b)
+  Slab(const ContourTrace& a, const ContourTrace& b)
       : contours{&a, &b}, toPlane{rigidInverse(a.planeToFile), rigidInverse(b.planeToFile)}, ahead{} {
     for (int side = 0; side < 2; ++side) ahead[side] = carried(toPlane[side], middleOfContour(*contours[1 - side])).z < 0.0 ? -1.0 : 1.0;
   }
@@ -65,7 +65,7 @@ struct Slab {
 
 }  // namespace
 
-Result<VoxelBox> fillBetween(Volume& labels, std::span<const TracedContour> contours, const Brush& brush, Progress& progress) {
+Result<VoxelBox> fillBetween(Volume& labels, std::span<const ContourTrace> contours, const Brush& brush, Progress& progress) {
   const bool isEnough =
       contours.size() >= 2 && std::all_of(contours.begin(), contours.end(), [](const auto& each) { return each.points.size() >= 3; });
   if (!isEnough)
@@ -86,7 +86,7 @@ Result<VoxelBox> fillBetween(Volume& labels, std::span<const TracedContour> cont
   VoxelBox changed;
   for (std::size_t n = 0; n < slabs.size(); ++n) {
     std::vector<glm::dvec3> corners;
-    for (const TracedContour* each : slabs[n].contours)
+    for (const ContourTrace* each : slabs[n].contours)
       for (const glm::dvec2& p : each->points) corners.push_back(carried(toVoxel, carried(each->planeToFile, {p, 0.0})));
     const VoxelBox box = boxAround(corners, glm::dvec3(1.0), labels.grid);
     for (int k = box.first.z; k < box.end.z; ++k) {

@@ -320,7 +320,7 @@ Spreads spreadsOf(const Caliper& caliper, const UncertaintyAt& at) {
   spreads.isOutline = isOutline(caliper.kind);
   for (const CaliperPart& part : caliper.parts) {
     for (const glm::dvec2& point : part.points) {
-      const PointUncertainty u = at(part.picture, point);
+      const PointUncertainty u = at(part.image, point);
       const double beam_rad = isInStrip ? 0.0 : u.beam_rad, lateral_mm = isInStrip ? 0.0 : u.lateral_mm;
       const glm::dvec2 along(std::sin(beam_rad), std::cos(beam_rad)), across(std::cos(beam_rad), -std::sin(beam_rad));
       spreads.points.push_back(

@@ -138,7 +138,7 @@ CaliperDrawing::Press CaliperDrawing::set(glm::dvec2 at, double reach_mm) {
 CaliperDrawing::Press CaliperDrawing::press(glm::dvec2 at, double reach_mm) {
   pointer_ = at;
   if (points_.empty()) {
-    if (const auto near = handleNear(shown(), picture_, at, reach_mm, scale_)) {
+    if (const auto near = handleNear(shown(), image_, at, reach_mm, scale_)) {
       selected_ = near->number;
       dragged_ = Dragged{near->number, near->handle, shown().find(near->number)->caliper, false};
       return Press::handle;
@@ -187,7 +187,7 @@ void CaliperDrawing::letGo() {
 }
 
 bool CaliperDrawing::isNearHandle(glm::dvec2 at, double reach_mm) const {
-  return handleNear(shown(), picture_, at, reach_mm, scale_).has_value();
+  return handleNear(shown(), image_, at, reach_mm, scale_).has_value();
 }
 
 std::optional<glm::dvec2> CaliperDrawing::fixedEnd() const {

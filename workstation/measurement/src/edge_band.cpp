@@ -35,7 +35,7 @@ struct Band {
   }
 };
 
-Band bandAround(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, const std::vector<glm::dvec2>& line,
+Band bandAround(ImageView<const std::uint8_t> image, const ImageGeometry& geometry, const std::vector<glm::dvec2>& line,
                 const TracingOptions& options, double reach_mm) {
   Band band;
   band.line = line;
@@ -53,7 +53,7 @@ Band bandAround(ImageView<const std::uint8_t> picture, const PictureGeometry& ge
     const double length = glm::length(chord);
     band.outwards.push_back(length > 0.0 ? winding / length * glm::dvec2(chord.y, -chord.x) : glm::dvec2(0.0));
     if (!(length > 0.0)) continue;
-    const auto slopes = slopesOf(profileThrough(picture, geometry, line[n], band.outwards[n], band.reach + margin, band.step_mm, 0.0),
+    const auto slopes = slopesOf(profileThrough(image, geometry, line[n], band.outwards[n], band.reach + margin, band.step_mm, 0.0),
                                  band.step_mm, options.snap.blur_mm);
     std::copy_n(slopes.begin() + margin, width, raw.begin() + static_cast<std::ptrdiff_t>(n * width));
   }
@@ -146,13 +146,13 @@ Way bestWay(const Band& band, double sign, double away, double stiffness) {
 /// How far the border of a bright wall lies from the steepest place of its flank, outwards. Logarithmic compression carries a flank far
 /// into the dark: the narrower the wall, the farther beyond its border. In the mean profile of the whole line the border is where the cube
 /// of grey is steepest, nearer to the amplitude; a mere step from dark to bright needs nothing, and what is between goes by parts.
-double flankOfWall_mm(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, const Band& band, const Way& way, double sign,
+double flankOfWall_mm(ImageView<const std::uint8_t> image, const ImageGeometry& geometry, const Band& band, const Way& way, double sign,
                       const TracingOptions& options) {
   const int half = static_cast<int>(std::ceil(options.snap.reach_mm / band.step_mm));
   std::vector<double> mean(static_cast<std::size_t>(2 * half + 1), 0.0), counted(mean.size(), 0.0);
   for (std::size_t n = 0; n < band.line.size(); ++n) {
     const auto profile =
-        profileThrough(picture, geometry, band.line[n] + way.offset_mm[n] * band.outwards[n], band.outwards[n], half, band.step_mm, 0.0);
+        profileThrough(image, geometry, band.line[n] + way.offset_mm[n] * band.outwards[n], band.outwards[n], half, band.step_mm, 0.0);
     for (std::size_t k = 0; k < profile.size(); ++k) {
       if (std::isnan(profile[k])) continue;
       mean[k] += profile[k];
@@ -247,10 +247,10 @@ std::vector<glm::dvec2> closedCurveThrough(std::span<const glm::dvec2> points, d
   return line;
 }
 
-std::vector<glm::dvec2> broughtToEdge(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry,
+std::vector<glm::dvec2> broughtToEdge(ImageView<const std::uint8_t> image, const ImageGeometry& geometry,
                                       const std::vector<glm::dvec2>& line, const TracingOptions& options) {
   const double reach_mm = options.snap.reach_mm;
-  const Band wide = bandAround(picture, geometry, line, options, reach_mm);
+  const Band wide = bandAround(image, geometry, line, options, reach_mm);
   std::optional<Way> way;
   double sign = 1.0, most = 0.0;
   for (const double each : {1.0, -1.0}) {
@@ -267,9 +267,9 @@ std::vector<glm::dvec2> broughtToEdge(ImageView<const std::uint8_t> picture, con
   const double deviation = options.smoothing_mm / options.spacing_mm;
   auto found = moved(wide, *way);
   found = resampled(deviation > 0.0 ? smoothed(resampled(found, options.spacing_mm), deviation) : found, options.spacing_mm);
-  const Band narrow = bandAround(picture, geometry, found, options, kNearby * reach_mm);
+  const Band narrow = bandAround(image, geometry, found, options, kNearby * reach_mm);
   auto onEdge = bestWay(narrow, sign, kFromFound, kStifferStill);
-  const double shift_mm = flankOfWall_mm(picture, geometry, narrow, onEdge, sign, options);
+  const double shift_mm = flankOfWall_mm(image, geometry, narrow, onEdge, sign, options);
   for (double& offset : onEdge.offset_mm) offset += shift_mm;
   return moved(narrow, onEdge);
 }

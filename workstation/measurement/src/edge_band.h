@@ -24,7 +24,7 @@ namespace ew::measurement {
 /// Of both sides that one counts which is stronger and lies evenly about the line, for clicks err to both sides.
 /// @param line points at options.spacing_mm, three at least
 /// @return as many points; the line itself where there is no edge
-[[nodiscard]] std::vector<glm::dvec2> broughtToEdge(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry,
+[[nodiscard]] std::vector<glm::dvec2> broughtToEdge(ImageView<const std::uint8_t> image, const ImageGeometry& geometry,
                                                     const std::vector<glm::dvec2>& line, const TracingOptions& options);
 
 }  // namespace ew::measurement

@@ -10,7 +10,7 @@ namespace ew::measurement {
 
 Examination::Examination(std::shared_ptr<const Package> package) : package_(std::move(package)) { EW_EXPECTS(package_ != nullptr); }
 
-std::vector<Message> Examination::measuredIn(std::uint64_t picture, const Measurements& measurements, const UncertaintyAt& at) {
+std::vector<Message> Examination::measuredIn(std::uint64_t image, const Measurements& measurements, const UncertaintyAt& at) {
   std::vector<Message> remarks;
   std::vector<Found> now;
   for (const Measurement& each : measurements.all) {
@@ -24,15 +24,14 @@ std::vector<Message> Examination::measuredIn(std::uint64_t picture, const Measur
     if (const auto alone = fillWorksheet(*package_, {{**entry}, Several::mean, {}}); !alone)
       remarks.push_back(alone.error().message);
     else
-      now.push_back({picture, each.number, std::move(**entry)});
+      now.push_back({image, each.number, std::move(**entry)});
   }
   std::erase_if(found_, [&](const Found& before) {
-    return before.picture == picture &&
-           std::none_of(now.begin(), now.end(), [&](const Found& each) { return each.number == before.number; });
+    return before.image == image && std::none_of(now.begin(), now.end(), [&](const Found& each) { return each.number == before.number; });
   });
   for (Found& each : now) {
     const auto known =
-        std::find_if(found_.begin(), found_.end(), [&](const Found& f) { return f.picture == picture && f.number == each.number; });
+        std::find_if(found_.begin(), found_.end(), [&](const Found& f) { return f.image == image && f.number == each.number; });
     if (known != found_.end())
       *known = std::move(each);
     else
@@ -48,8 +47,8 @@ std::vector<Quantity> Examination::of(std::string_view label, std::string_view s
   return values;
 }
 
-bool Examination::remove(std::uint64_t picture, int number) {
-  return std::erase_if(found_, [&](const Found& each) { return each.picture == picture && each.number == number; }) > 0;
+bool Examination::remove(std::uint64_t image, int number) {
+  return std::erase_if(found_, [&](const Found& each) { return each.image == image && each.number == number; }) > 0;
 }
 
 bool Examination::answer(const std::string& label, const std::string& side, const std::string& choice) {

@@ -89,9 +89,9 @@ Result<Combined> ellipsoidOf(const std::vector<Input>& inputs) {
   Combined made;
   made.quantity = {volume, 0.0, Unit::ml};
   propagate(made, inputs, slopes);
-  const auto isOf = [&](std::uint64_t picture) { return [picture](const Input& input) { return input.finding->picture == picture; }; };
-  if (std::all_of(inputs.begin(), inputs.end(), isOf(inputs[0].finding->picture)))
-    made.remarks.push_back(say<"All three lengths are of one picture; the third one belongs to a picture at right angles to it.">());
+  const auto isOf = [&](std::uint64_t image) { return [image](const Input& input) { return input.finding->image == image; }; };
+  if (std::all_of(inputs.begin(), inputs.end(), isOf(inputs[0].finding->image)))
+    made.remarks.push_back(say<"All three lengths are of one image; the third one belongs to an image at right angles to it.">());
   for (std::size_t n = 0; n < inputs.size(); ++n)
     for (std::size_t m = n + 1; m < inputs.size(); ++m)
       if (inputs[n].figure == inputs[m].figure) {
@@ -106,15 +106,15 @@ Result<Combined> biplaneOf(const std::vector<Input>& inputs) {
   for (const Input& input : inputs) {
     const Caliper& one = input.finding->measurement.caliper;
     if (one.kind != CaliperKind::discs)
-      return passOn(cannotCombine(say<"Discs of two planes need two measurements by discs; draw them in both pictures first.">()));
+      return passOn(cannotCombine(say<"Discs of two planes need two measurements by discs; draw them in both images first.">()));
     both.parts.push_back({static_cast<int>(both.parts.size()), one.parts[0].points});
   }
-  if (inputs[0].finding->picture == inputs[1].finding->picture)
-    return passOn(cannotCombine(say<"Both planes are of one picture; the second one is that at right angles to it.">()));
+  if (inputs[0].finding->image == inputs[1].finding->image)
+    return passOn(cannotCombine(say<"Both planes are of one image; the second one is that at right angles to it.">()));
   const bool isKnown = inputs[0].finding->at && inputs[1].finding->at;
   const auto at = [&](int part, const glm::dvec2& p) {
     const Finding& finding = *inputs[static_cast<std::size_t>(part)].finding;
-    return finding.at(finding.measurement.caliper.parts[0].picture, p);
+    return finding.at(finding.measurement.caliper.parts[0].image, p);
   };
   auto measured = measure(both, isKnown ? UncertaintyAt(at) : UncertaintyAt());
   if (!measured) return passOn(measured.error());
@@ -127,32 +127,32 @@ std::string_view wordOf(CombinationKind kind) { return infoOfCombination(kind).w
 std::size_t inputCount(CombinationKind kind) { return infoOfCombination(kind).inputs; }
 
 double covariance(const Finding& a, const CaliperFigure& ofA, const Finding& b, const CaliperFigure& ofB) {
-  if (a.picture != b.picture || !a.at || !b.at) return 0.0;
+  if (a.image != b.image || !a.at || !b.at) return 0.0;
   const Spreads spreads = spreadsOf(a.measurement.caliper, a.at);
   if (a.measurement.number == b.measurement.number) return covarianceWithin(ofA.gradient, ofB.gradient, spreads);
   return covarianceBetween(ofA.gradient, spreads, ofB.gradient, spreadsOf(b.measurement.caliper, b.at));
 }
 
-void Findings::measuredIn(std::uint64_t picture, std::vector<Finding> now) {
-  if (now.empty() && std::find(pictures_.begin(), pictures_.end(), picture) == pictures_.end()) return;
-  if (std::find(pictures_.begin(), pictures_.end(), picture) == pictures_.end()) pictures_.push_back(picture);
-  const auto first = std::find_if(all_.begin(), all_.end(), [&](const Finding& each) { return each.picture == picture; });
+void Findings::measuredIn(std::uint64_t image, std::vector<Finding> now) {
+  if (now.empty() && std::find(images_.begin(), images_.end(), image) == images_.end()) return;
+  if (std::find(images_.begin(), images_.end(), image) == images_.end()) images_.push_back(image);
+  const auto first = std::find_if(all_.begin(), all_.end(), [&](const Finding& each) { return each.image == image; });
   const auto place = first - all_.begin();
-  std::erase_if(all_, [&](const Finding& each) { return each.picture == picture; });
+  std::erase_if(all_, [&](const Finding& each) { return each.image == image; });
   all_.insert(all_.begin() + place, std::make_move_iterator(now.begin()), std::make_move_iterator(now.end()));
 }
 
-const Finding* Findings::find(std::uint64_t picture, int number) const {
-  const auto found = std::find_if(all_.begin(), all_.end(),
-                                  [&](const Finding& each) { return each.picture == picture && each.measurement.number == number; });
+const Finding* Findings::find(std::uint64_t image, int number) const {
+  const auto found =
+      std::find_if(all_.begin(), all_.end(), [&](const Finding& each) { return each.image == image && each.measurement.number == number; });
   return found == all_.end() ? nullptr : &*found;
 }
 
-int Findings::ordinalOf(std::uint64_t picture) const {
+int Findings::ordinalOf(std::uint64_t image) const {
   int ordinal = 0;
-  for (const std::uint64_t each : pictures_) {
-    if (each < kStripPicture) ++ordinal;
-    if (each == picture) return ordinal;
+  for (const std::uint64_t each : images_) {
+    if (each < kStripImage) ++ordinal;
+    if (each == image) return ordinal;
   }
   return ordinal + 1;
 }
@@ -162,7 +162,7 @@ Result<Combined> Findings::combine(CombinationKind kind, const std::vector<Figur
     return passOn(cannotCombine(say<"This result is of %1 measurements, not of %2.">(inputCount(kind), of.size())));
   std::vector<Input> inputs;
   for (const FigureRef& ref : of) {
-    const Finding* finding = find(ref.picture, ref.number);
+    const Finding* finding = find(ref.image, ref.number);
     if (finding == nullptr) return passOn(cannotCombine(say<"Measurement %1, which this result was made from, was deleted.">(ref.number)));
     const CaliperFigure* figure = finding->measured.figure(ref.figure);
     if (figure == nullptr)
@@ -190,7 +190,7 @@ bool Findings::remove(int number) {
 
 void Findings::clear() {
   all_.clear();
-  pictures_.clear();
+  images_.clear();
   combinations_.clear();
   next_ = 1;
 }

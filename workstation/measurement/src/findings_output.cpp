@@ -11,7 +11,7 @@ using nlohmann::ordered_json;
 
 constexpr std::string_view kSimulation = "simulation, not for diagnosis";
 
-bool isStrip(std::uint64_t picture) { return picture >= kStripPicture; }
+bool isStrip(std::uint64_t image) { return image >= kStripImage; }
 
 ordered_json jsonOf(const Quantity& quantity) {
   ordered_json made = {{"value", quantity.value}};
@@ -20,12 +20,12 @@ ordered_json jsonOf(const Quantity& quantity) {
   return made;
 }
 
-ordered_json placeOf(const Findings& findings, std::uint64_t picture, int number) {
+ordered_json placeOf(const Findings& findings, std::uint64_t image, int number) {
   ordered_json made;
-  if (isStrip(picture))
+  if (isStrip(image))
     made["strip"] = true;
   else
-    made["image"] = findings.ordinalOf(picture);
+    made["image"] = findings.ordinalOf(image);
   made["number"] = number;
   return made;
 }
@@ -36,14 +36,14 @@ std::string line(const std::vector<std::string>& fields) {
   return made + "\r\n";
 }
 
-std::string placeText(const Findings& findings, std::uint64_t picture) {
-  return isStrip(picture) ? std::string("strip") : "image " + std::to_string(findings.ordinalOf(picture));
+std::string placeText(const Findings& findings, std::uint64_t image) {
+  return isStrip(image) ? std::string("strip") : "image " + std::to_string(findings.ordinalOf(image));
 }
 
 std::string madeFrom(const Findings& findings, const Combination& combination) {
   std::string made;
   for (const FigureRef& ref : combination.of)
-    made += (made.empty() ? "" : "; ") + placeText(findings, ref.picture) + " no. " + std::to_string(ref.number) + " " +
+    made += (made.empty() ? "" : "; ") + placeText(findings, ref.image) + " no. " + std::to_string(ref.number) + " " +
             std::string(wordOf(ref.figure));
   return made;
 }
@@ -55,7 +55,7 @@ std::string uncertaintyText(const Quantity& quantity) { return quantity.uncertai
 ordered_json toJson(const Findings& findings, const std::string& title) {
   ordered_json measurements = ordered_json::array(), results = ordered_json::array();
   for (const Finding& each : findings.all()) {
-    ordered_json one = placeOf(findings, each.picture, each.measurement.number);
+    ordered_json one = placeOf(findings, each.image, each.measurement.number);
     one["kind"] = wordOf(each.measurement.caliper.kind);
     if (!each.measurement.name.empty()) one["name"] = each.measurement.name;
     if (!each.measurement.item.empty()) one["item"] = each.measurement.item;
@@ -73,7 +73,7 @@ ordered_json toJson(const Findings& findings, const std::string& title) {
   for (const Combination& each : findings.combinations()) {
     ordered_json one = {{"number", each.number}, {"kind", wordOf(each.kind)}};
     for (const FigureRef& ref : each.of) {
-      ordered_json from = placeOf(findings, ref.picture, ref.number);
+      ordered_json from = placeOf(findings, ref.image, ref.number);
       from["figure"] = wordOf(ref.figure);
       one["of"].push_back(std::move(from));
     }
@@ -98,7 +98,7 @@ std::string toCsv(const Findings& findings, const std::string& title) {
   for (const Finding& each : findings.all())
     for (const CaliperFigure& figure : each.measured.figures)
       made += line(
-          {placeText(findings, each.picture), std::to_string(each.measurement.number), std::string(wordOf(each.measurement.caliper.kind)),
+          {placeText(findings, each.image), std::to_string(each.measurement.number), std::string(wordOf(each.measurement.caliper.kind)),
            each.measurement.item, each.measurement.side, std::string(wordOf(figure.kind)), textOf(figure.quantity.value),
            uncertaintyText(figure.quantity), std::string(symbolOf(figure.quantity.unit)),
            each.measurement.caliper.kind == CaliperKind::heartRate ? std::to_string(each.measurement.caliper.cycles) + " beats" : "",

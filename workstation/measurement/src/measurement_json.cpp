@@ -62,7 +62,7 @@ json toJson(const Measurements& measurements) {
     for (const CaliperPart& part : each.caliper.parts) {
       json points = json::array();
       for (const glm::dvec2& point : part.points) points.push_back(json::array({point.x, point.y}));
-      parts.push_back({{"picture", part.picture}, {"points", std::move(points)}});
+      parts.push_back({{"picture", part.image}, {"points", std::move(points)}});
     }
     json one = {{"number", each.number}, {"kind", wordOf(each.caliper.kind)}, {"parts", std::move(parts)}};
     if (!each.name.empty()) one["name"] = each.name;

@@ -30,12 +30,12 @@ bool MeasurementList::assign(int number, std::string item, std::string side) {
   });
 }
 
-std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm, glm::dvec2 scale) {
+std::optional<HandleFound> handleNear(const Measurements& measurements, int image, glm::dvec2 p, double reach_mm, glm::dvec2 scale) {
   std::optional<HandleFound> nearest;
   for (const Measurement& measurement : measurements.all)
     for (std::size_t part = 0; part < measurement.caliper.parts.size(); ++part) {
       const CaliperPart& points = measurement.caliper.parts[part];
-      if (points.picture != picture) continue;
+      if (points.image != image) continue;
       for (std::size_t point = 0; point < points.points.size(); ++point) {
         const double distance_mm = glm::length(scale * (points.points[point] - p));
         // Of two on each other the newer one, which is drawn on top.

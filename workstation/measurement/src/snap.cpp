@@ -10,18 +10,18 @@ namespace ew::measurement {
 namespace {
 
 /// Grey at a place between pixels, or nothing outside.
-std::optional<double> greyAt(ImageView<const std::uint8_t> picture, const glm::dvec2& p) {
-  if (!(p.x >= 0.0 && p.y >= 0.0 && p.x <= picture.width - 1 && p.y <= picture.height - 1)) return std::nullopt;
-  const int x = std::min(static_cast<int>(p.x), picture.width - 2), y = std::min(static_cast<int>(p.y), picture.height - 2);
+std::optional<double> greyAt(ImageView<const std::uint8_t> image, const glm::dvec2& p) {
+  if (!(p.x >= 0.0 && p.y >= 0.0 && p.x <= image.width - 1 && p.y <= image.height - 1)) return std::nullopt;
+  const int x = std::min(static_cast<int>(p.x), image.width - 2), y = std::min(static_cast<int>(p.y), image.height - 2);
   if (x < 0 || y < 0) return std::nullopt;
   const double u = p.x - x, v = p.y - y;
-  const std::uint8_t *upper = picture.row(y) + x, *lower = picture.row(y + 1) + x;
+  const std::uint8_t *upper = image.row(y) + x, *lower = image.row(y + 1) + x;
   return (1.0 - v) * ((1.0 - u) * upper[0] + u * upper[1]) + v * ((1.0 - u) * lower[0] + u * lower[1]);
 }
 
 }  // namespace
 
-std::vector<double> profileThrough(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, const glm::dvec2& p,
+std::vector<double> profileThrough(ImageView<const std::uint8_t> image, const ImageGeometry& geometry, const glm::dvec2& p,
                                    const glm::dvec2& along, int half, double step_mm, double across_mm) {
   const glm::dvec2 across(-along.y, along.x);
   const int lines = static_cast<int>(std::ceil(across_mm / step_mm));
@@ -31,7 +31,7 @@ std::vector<double> profileThrough(ImageView<const std::uint8_t> picture, const 
     int count = 0;
     for (int m = -lines; m <= lines; ++m)
       if (const auto grey =
-              greyAt(picture, geometry.toPixel(p + step_mm * (static_cast<double>(n) * along + static_cast<double>(m) * across)))) {
+              greyAt(image, geometry.toPixel(p + step_mm * (static_cast<double>(n) * along + static_cast<double>(m) * across)))) {
         sum += *grey;
         ++count;
       }
@@ -59,7 +59,7 @@ std::vector<double> slopesOf(const std::vector<double>& profile, double step_mm,
   return slopes;
 }
 
-Snapped snapToEdge(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, glm::dvec2 p_mm, glm::dvec2 direction,
+Snapped snapToEdge(ImageView<const std::uint8_t> image, const ImageGeometry& geometry, glm::dvec2 p_mm, glm::dvec2 direction,
                    const SnapOptions& options) {
   EW_EXPECTS(geometry.pixel_mm.x > 0.0 && geometry.pixel_mm.y > 0.0 && options.blur_mm > 0.0 && options.reach_mm > 0.0);
   Snapped snapped{false, p_mm, 0.0, 0.0, EdgeSide::any};
@@ -69,7 +69,7 @@ Snapped snapToEdge(ImageView<const std::uint8_t> picture, const PictureGeometry&
   const double step_mm = 0.5 * std::min({geometry.pixel_mm.x, geometry.pixel_mm.y, options.blur_mm});
   const int reach = static_cast<int>(std::ceil(options.reach_mm / step_mm));
   const int half = reach + static_cast<int>(std::ceil(3.0 * options.blur_mm / step_mm)) + 1;
-  const auto slopes = slopesOf(profileThrough(picture, geometry, p_mm, along, half, step_mm, options.across_mm), step_mm, options.blur_mm);
+  const auto slopes = slopesOf(profileThrough(image, geometry, p_mm, along, half, step_mm, options.across_mm), step_mm, options.blur_mm);
   const auto height = [&](int n) {
     const double slope = slopes[static_cast<std::size_t>(n + half)];
     return options.side == EdgeSide::any ? std::abs(slope) : options.side == EdgeSide::darkToBright ? slope : -slope;

@@ -16,7 +16,7 @@ std::optional<SnapTarget> crossNear(glm::dvec2 at, const Measurements& shown, co
   for (const Measurement& each : shown.all) {
     if (each.number == search.except) continue;
     for (const CaliperPart& part : each.caliper.parts) {
-      if (part.picture != search.picture) continue;
+      if (part.image != search.image) continue;
       for (const glm::dvec2& point : part.points) {
         const double apart_mm = glm::length(search.scale * (point - at));
         if (apart_mm > least_mm) continue;
@@ -29,7 +29,7 @@ std::optional<SnapTarget> crossNear(glm::dvec2 at, const Measurements& shown, co
 }
 
 /// @param direction in the plane, any length above 0
-std::optional<SnapTarget> edgeNear(glm::dvec2 at, glm::dvec2 direction, const SnapSearch& search, ImageView<const std::uint8_t> picture,
+std::optional<SnapTarget> edgeNear(glm::dvec2 at, glm::dvec2 direction, const SnapSearch& search, ImageView<const std::uint8_t> image,
                                    const DisplayGeometry& geometry) {
   SnapOptions options;  // closer than an outline looks: the pointer is there already
   options.reach_mm = search.reach_mm;
@@ -37,8 +37,8 @@ std::optional<SnapTarget> edgeNear(glm::dvec2 at, glm::dvec2 direction, const Sn
   options.across_mm = 1.0;
   options.weakest = 10.0;
   const glm::dvec2 side(geometry.markerLeft ? -1.0 : 1.0, geometry.upsideDown ? -1.0 : 1.0);
-  const PictureGeometry pixels{glm::dvec2(geometry.pixel_mm), -geometry.face_px * geometry.pixel_mm};
-  const Snapped snapped = snapToEdge(picture, pixels, side * at, side * direction, options);
+  const ImageGeometry pixels{glm::dvec2(geometry.pixel_mm), -geometry.face_px * geometry.pixel_mm};
+  const Snapped snapped = snapToEdge(image, pixels, side * at, side * direction, options);
   if (!snapped.isFound) return std::nullopt;
   return SnapTarget{SnapKind::edge, side * snapped.at_mm, 0};
 }
@@ -46,13 +46,13 @@ std::optional<SnapTarget> edgeNear(glm::dvec2 at, glm::dvec2 direction, const Sn
 }  // namespace
 
 SnapTarget snapTarget(glm::dvec2 at, const Measurements& shown, std::span<const glm::dvec2> before, const SnapSearch& search,
-                      ImageView<const std::uint8_t> picture, const DisplayGeometry& geometry) {
+                      ImageView<const std::uint8_t> image, const DisplayGeometry& geometry) {
   if (const auto cross = crossNear(at, shown, search)) return *cross;
   const glm::dvec2 line = before.empty() ? glm::dvec2(std::sin(search.beam_rad), std::cos(search.beam_rad)) : at - before.back();
   const glm::dvec2 off_mm = glm::abs(search.scale * (before.empty() ? glm::dvec2(0.0) : line));
   const bool isFar = off_mm.x + off_mm.y > 2.0 * search.reach_mm;
-  if (picture.width > 1 && picture.height > 1 && geometry.pixel_mm > 0.0 && (before.empty() || isFar))
-    if (const auto edge = edgeNear(at, line, search, picture, geometry)) return *edge;
+  if (image.width > 1 && image.height > 1 && geometry.pixel_mm > 0.0 && (before.empty() || isFar))
+    if (const auto edge = edgeNear(at, line, search, image, geometry)) return *edge;
   if (before.empty() || !isFar) return {SnapKind::none, at, 0};
   if (off_mm.y <= kAligned * search.reach_mm) return {SnapKind::horizontal, {at.x, before.back().y}, 0};
   if (off_mm.x <= kAligned * search.reach_mm) return {SnapKind::vertical, {before.back().x, at.y}, 0};

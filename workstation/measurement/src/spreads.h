@@ -26,7 +26,7 @@ struct Spreads {
 
 /// Of two figures of one caliper, from their gradients.
 [[nodiscard]] double covarianceWithin(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b, const Spreads& spreads);
-/// Of figures of two calipers of one picture: points that lie on each other are one.
+/// Of figures of two calipers of one image: points that lie on each other are one.
 [[nodiscard]] double covarianceBetween(const std::vector<glm::dvec2>& a, const Spreads& ofA, const std::vector<glm::dvec2>& b,
                                        const Spreads& ofB);
 

@@ -32,7 +32,7 @@ UncertaintyAt uncertaintyInStrip(const Probe& probe, const Knobs& knobs, const S
   };
   auto known = std::make_shared<Known>(
       Known{ResolutionMap(probe, knobs, scene, geometry.depth_mm), mLineOf(probe, knobs, geometry.depth_mm), {}, 0.0, 0.0});
-  for (int column = 0; column < strip.picture().width; ++column)
+  for (int column = 0; column < strip.image().width; ++column)
     if (const auto time_s = strip.timeOf(column)) known->interval_s.emplace(*time_s, strip.beamInterval_s(*time_s));
   known->column_s = strip.columnTime_s();
   known->row_mm = StripPlane(strip, geometry.depth_mm).rowDepth_mm();
@@ -53,9 +53,9 @@ UncertaintyAt uncertaintyInStrip(const Probe& probe, const Knobs& knobs, const S
 }
 
 std::optional<glm::dvec2> StripPlane::pointAt(glm::dvec2 pixel) const {
-  const ImageView<const std::uint8_t> picture = strip_->picture();
-  if (picture.width < 1 || picture.height < 2) return std::nullopt;
-  const double column = std::clamp(std::round(pixel.x), 0.0, picture.width - 1.0), row = std::clamp(pixel.y, 0.0, picture.height - 1.0);
+  const ImageView<const std::uint8_t> image = strip_->image();
+  if (image.width < 1 || image.height < 2) return std::nullopt;
+  const double column = std::clamp(std::round(pixel.x), 0.0, image.width - 1.0), row = std::clamp(pixel.y, 0.0, image.height - 1.0);
   const auto time_s = strip_->timeOf(static_cast<int>(column));
   if (!time_s) return std::nullopt;
   return glm::dvec2(*time_s, row * rowDepth_mm());
@@ -63,12 +63,12 @@ std::optional<glm::dvec2> StripPlane::pointAt(glm::dvec2 pixel) const {
 
 std::optional<glm::dvec2> StripPlane::pixelOf(glm::dvec2 point) const {
   const auto column = strip_->columnOf(point.x);
-  if (!column || strip_->picture().height < 2) return std::nullopt;
+  if (!column || strip_->image().height < 2) return std::nullopt;
   return glm::dvec2(*column, point.y / rowDepth_mm());
 }
 
 double StripPlane::mmPerS() const { return strip_->columnTime_s() > 0.0 ? rowDepth_mm() / strip_->columnTime_s() : 1.0; }
 
-double StripPlane::rowDepth_mm() const { return depth_mm_ / std::max(1, strip_->picture().height - 1); }
+double StripPlane::rowDepth_mm() const { return depth_mm_ / std::max(1, strip_->image().height - 1); }
 
 }  // namespace ew::measurement

@@ -20,8 +20,8 @@ constexpr double kRoughEllipse = 0.35;  // of the reach: how far clicks on an el
 constexpr double kFarClicks = 8.0;      // of the reach
 
 Error openCvFailed(const Thrown& thrown) {
-  if (thrown.noMemory) return {ErrorCode::tooLarge, say<"There is not enough memory to trace in this picture.">(), {}};
-  return {ErrorCode::internal, say<"The edges of the picture could not be traced (%1).">(thrown.reason), {}};
+  if (thrown.noMemory) return {ErrorCode::tooLarge, say<"There is not enough memory to trace in this image.">(), {}};
+  return {ErrorCode::internal, say<"The edges of the image could not be traced (%1).">(thrown.reason), {}};
 }
 
 ImageView<const std::uint8_t> viewOf(const cv::Mat& grey) {
@@ -45,7 +45,7 @@ std::vector<glm::dvec2> resampledOpen(const std::vector<glm::dvec2>& path, doubl
 
 struct EdgeTracer::Impl {
   cv::Mat grey;  // as it came
-  PictureGeometry geometry;
+  ImageGeometry geometry;
   TracingOptions options;
   cv::segmentation::IntelligentScissorsMB scissors;
 
@@ -90,21 +90,21 @@ EdgeTracer::~EdgeTracer() = default;
 EdgeTracer::EdgeTracer(EdgeTracer&&) noexcept = default;
 EdgeTracer& EdgeTracer::operator=(EdgeTracer&&) noexcept = default;
 
-bool EdgeTracer::hasPicture() const { return !impl_->grey.empty(); }
+bool EdgeTracer::hasImage() const { return !impl_->grey.empty(); }
 
-Result<void> EdgeTracer::setPicture(ImageView<const std::uint8_t> picture, const PictureGeometry& geometry, const TracingOptions& options) {
+Result<void> EdgeTracer::setImage(ImageView<const std::uint8_t> image, const ImageGeometry& geometry, const TracingOptions& options) {
   EW_EXPECTS(geometry.pixel_mm.x > 0.0 && geometry.pixel_mm.y > 0.0 && options.spacing_mm > 0.0);
-  if (picture.width < kSmallest || picture.height < kSmallest)
-    return failure(ErrorCode::badField, say<"The picture is too small to trace in: %1 x %2 pixels.">(picture.width, picture.height));
-  if (static_cast<double>(picture.width) * picture.height > kMostPixels)
-    return failure(ErrorCode::tooLarge, say<"The picture is too large to trace in: %1 x %2 pixels.">(picture.width, picture.height));
+  if (image.width < kSmallest || image.height < kSmallest)
+    return failure(ErrorCode::badField, say<"The image is too small to trace in: %1 x %2 pixels.">(image.width, image.height));
+  if (static_cast<double>(image.width) * image.height > kMostPixels)
+    return failure(ErrorCode::tooLarge, say<"The image is too large to trace in: %1 x %2 pixels.">(image.width, image.height));
   return guarded(
       [&] {
         auto made = std::make_unique<Impl>();
         made->geometry = geometry;
         made->options = options;
-        made->grey.create(picture.height, picture.width, CV_8UC1);
-        for (int y = 0; y < picture.height; ++y) std::copy_n(picture.row(y), picture.width, made->grey.ptr<std::uint8_t>(y));
+        made->grey.create(image.height, image.width, CV_8UC1);
+        for (int y = 0; y < image.height; ++y) std::copy_n(image.row(y), image.width, made->grey.ptr<std::uint8_t>(y));
         cv::Mat even = made->grey;
         if (options.blur_mm > 0.0)
           cv::GaussianBlur(made->grey, even, {}, options.blur_mm / geometry.pixel_mm.x, options.blur_mm / geometry.pixel_mm.y);
@@ -117,7 +117,7 @@ Result<void> EdgeTracer::setPicture(ImageView<const std::uint8_t> picture, const
 }
 
 Result<std::vector<glm::dvec2>> EdgeTracer::traceAround(std::span<const glm::dvec2> clicks_mm) {
-  if (!hasPicture()) return failure(ErrorCode::badField, say<"There is no picture to trace in; freeze one first.">());
+  if (!hasImage()) return failure(ErrorCode::badField, say<"There is no image to trace in; freeze one first.">());
   if (clicks_mm.size() < 3)
     return failure(ErrorCode::badField, say<"An outline needs at least three clicks; there are %1.">(clicks_mm.size()));
   return guarded(

@@ -86,7 +86,7 @@ class Filling {
     sheet.several = input_.several;
     sheet.gestation_weeks = input_.gestation_weeks;
     for (const WorksheetSection& section : package_.worksheet) {
-      FilledSection filled{section.title, {}};
+      SectionValues filled{section.title, {}};
       for (const std::string& label : section.rows)
         for (const char* side : {"", "right", "left"})
           if (const auto row = rows_.find({label, side}); row != rows_.end()) filled.rows.push_back(row->second);
@@ -333,7 +333,7 @@ class Filling {
 }  // namespace
 
 const WorksheetRow* Worksheet::row(std::string_view label, std::string_view side) const {
-  for (const FilledSection& section : sections)
+  for (const SectionValues& section : sections)
     for (const WorksheetRow& each : section.rows)
       if (each.label == label && each.side == side) return &each;
   return nullptr;

@@ -42,7 +42,7 @@ std::vector<Message> originOf(const WorksheetRow& row) {
   if (!row.from.empty()) all.push_back(say<"by %1">(row.from));
   if (row.isFormula && row.value && !row.inputs.empty()) {
     std::vector<Message> from;
-    for (const UsedValue& used : row.inputs)
+    for (const FormulaValue& used : row.inputs)
       from.push_back(joined({verbatim(used.of), quantityText({used.value.value, 0.0, used.value.unit})}));
     all.push_back(say<"from %1">(joined(std::move(from), ", ")));
   }

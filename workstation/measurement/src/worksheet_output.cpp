@@ -93,7 +93,7 @@ std::string rangeText(const ReferenceRange& range) {
 
 std::string howItCameAbout(const WorksheetRow& row) {
   std::string text;
-  for (const UsedValue& used : row.inputs) {
+  for (const FormulaValue& used : row.inputs) {
     text += (text.empty() ? "from " : ", ") + used.of + (used.side.empty() ? "" : "/" + used.side) + " " + shown(used.value);
     if (!used.from.empty() && used.from != used.of) text += " (by " + used.from + ")";
   }
@@ -113,7 +113,7 @@ ordered_json toJson(const Worksheet& worksheet, std::string_view language) {
                        {"several", wordOf(worksheet.several)}};
   if (worksheet.gestation_weeks) made["gestation_by_dates"] = gestationText(*worksheet.gestation_weeks);
   made["sections"] = ordered_json::array();
-  for (const FilledSection& section : worksheet.sections) {
+  for (const SectionValues& section : worksheet.sections) {
     ordered_json rows = ordered_json::array();
     for (const WorksheetRow& row : section.rows) rows.push_back(jsonOf(row, language));
     made["sections"].push_back({{"title", section.title.in(language)}, {"rows", std::move(rows)}});
@@ -140,7 +140,7 @@ std::string toCsv(const Worksheet& worksheet, std::string_view language) {
     for (const std::string& cell : cells) csv += csvField(cell) + ",";
     csv += csvField(kTrainingOnly) + "\n";
   };
-  for (const FilledSection& section : worksheet.sections)
+  for (const SectionValues& section : worksheet.sections)
     for (const WorksheetRow& row : section.rows)
       add({section.title.in(language), row.label, row.side, row.title.in(language), row.value ? number(row.value->value) : row.choice,
            row.value && row.value->uncertainty > 0.0 ? number(row.value->uncertainty) : "",

@@ -79,7 +79,7 @@ json AttemptStatements::lessonActivity() const {
 const char* typeOfTask(const LessonStep* step) {
   if (step == nullptr) return "performance";
   if (std::holds_alternative<AnswerTask>(step->task)) return "question";
-  return std::holds_alternative<ReadTask>(step->task) || std::holds_alternative<WatchTask>(step->task) ? "media" : "performance";
+  return std::holds_alternative<ReadingTask>(step->task) || std::holds_alternative<WatchTask>(step->task) ? "media" : "performance";
 }
 
 json AttemptStatements::stepActivity(const std::string& stepId) const {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "ew/library/case.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/step_answer.h"
 #include "ew/reports/attempt_report.h"
 #include "page_names.h"
@@ -24,7 +24,7 @@ struct MeasureStep {
   std::string id, title, caseId;
 };
 
-std::vector<MeasureStep> measureSteps(const ReportedAttempt& attempt, const ReportedLesson& lesson) {
+std::vector<MeasureStep> measureSteps(const ReportAttempt& attempt, const ReportLesson& lesson) {
   std::vector<MeasureStep> steps;
   if (lesson.lesson) {
     for (const LessonStep& step : lesson.lesson->steps)
@@ -57,7 +57,7 @@ WorksheetRow rowOf(const MeasureStep& step, const Quantity& value, const Measure
   return row;
 }
 
-Worksheet sheetOf(const ReportedAttempt& attempt, const ReportedLesson& lesson) {
+Worksheet sheetOf(const ReportAttempt& attempt, const ReportLesson& lesson) {
   Worksheet sheet;
   sheet.package = "lesson";
   sheet.title = {"Measurements of a lesson", "Messungen einer Lektion"};
@@ -86,7 +86,7 @@ std::chrono::sys_seconds lastMoment(const Attempt& attempt) {
 
 }  // namespace
 
-std::vector<AttemptMeasurements> measurementsOf(const ReportedAttempt& attempt, const ReportedLesson& lesson) {
+std::vector<AttemptMeasurements> measurementsOf(const ReportAttempt& attempt, const ReportLesson& lesson) {
   std::vector<AttemptMeasurements> made;
   for (const MeasureStep& step : measureSteps(attempt, lesson)) {
     const StepOutcome* outcome = attempt.attempt.outcomeOf(step.id);
@@ -104,9 +104,8 @@ std::vector<AttemptMeasurements> measurementsOf(const ReportedAttempt& attempt, 
   return made;
 }
 
-Result<std::vector<fs::path>> writeAttemptMeasurements(const ReportedAttempt& attempt, const ReportedLesson& lesson,
-                                                       const Pseudonyms& codes, bool names, const fs::path& library,
-                                                       const fs::path& folder) {
+Result<std::vector<fs::path>> writeAttemptMeasurements(const ReportAttempt& attempt, const ReportLesson& lesson, const Pseudonyms& codes,
+                                                       bool names, const fs::path& library, const fs::path& folder) {
   std::vector<fs::path> files;
   ReportOptions who;
   who.names = names;

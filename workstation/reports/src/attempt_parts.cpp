@@ -11,10 +11,10 @@ namespace {
 std::string inLanguage(const Words& words, const ReportOptions& options) { return words.in(options.language); }
 
 /// The latest that each rater finished with each form.
-std::vector<const KeptRating*> latestRatings(const KeptRatings& all) {
-  std::vector<const KeptRating*> latest;
-  for (const KeptRating& each : all.ratings) {
-    const auto same = std::find_if(latest.begin(), latest.end(), [&](const KeptRating* one) {
+std::vector<const RatingRecord*> latestRatings(const RatingRecords& all) {
+  std::vector<const RatingRecord*> latest;
+  for (const RatingRecord& each : all.ratings) {
+    const auto same = std::find_if(latest.begin(), latest.end(), [&](const RatingRecord* one) {
       return one->rating.rater == each.rating.rater && one->rating.formId == each.rating.formId;
     });
     if (same == latest.end())
@@ -31,7 +31,7 @@ Message blindingText(const Rating& rating) {
   return rating.sawName ? say<"knew whose attempt it was">() : say<"could see other ratings">();
 }
 
-ReportTable itemsTable(const KeptRating& kept, const ReportOptions& options) {
+ReportTable itemsTable(const RatingRecord& kept, const ReportOptions& options) {
   ReportTable table{say<"Items">(), {{say<"Item">()}, {say<"Rating">(), true}, {say<"Remark">()}}, {}};
   for (const RatingItem& item : kept.form->items) {
     const ItemRating* given = kept.rating.itemOf(item.id);
@@ -43,7 +43,7 @@ ReportTable itemsTable(const KeptRating& kept, const ReportOptions& options) {
   return table;
 }
 
-void addRating(const PartOf& of, const KeptRating& kept, Blocks& blocks) {
+void addRating(const PartOf& of, const RatingRecord& kept, Blocks& blocks) {
   const Rating& rating = kept.rating;
   blocks.emplace_back(
       ReportHeading{3, say<"%1, by %2">(inLanguage(kept.form->title, of.options), reviewerIn(of.options, of.codes, rating.rater))});
@@ -77,7 +77,7 @@ void addRatings(const PartOf& of, Blocks& blocks) {
   const auto latest = latestRatings(of.one.ratings);
   if (latest.empty() && of.one.ratings.problems.empty() && of.one.comments.problems.empty()) return;
   blocks.emplace_back(ReportHeading{2, say<"Ratings">()});
-  for (const KeptRating* each : latest) addRating(of, *each, blocks);
+  for (const RatingRecord* each : latest) addRating(of, *each, blocks);
   for (const auto* problems : {&of.one.ratings.problems, &of.one.comments.problems})
     for (const Error& problem : *problems)
       blocks.emplace_back(ReportParagraph{inWordsOf(of.lesson.words, problem.message), ReportTone::caution});

@@ -8,9 +8,9 @@ namespace ew::reports {
 
 /// What the parts of an attempt's report are made of.
 struct PartOf {
-  const ReportedAttempt& one;
+  const ReportAttempt& one;
   const AttemptResult& result;  ///< of it
-  const ReportedLesson& lesson;
+  const ReportLesson& lesson;
   const Pseudonyms& codes;
   const ReportOptions& options;
 };

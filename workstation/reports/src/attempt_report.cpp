@@ -28,7 +28,7 @@ std::vector<StepTime> timesOf(const Attempt& attempt) {
   return times;
 }
 
-ReportPlot timeLineOf(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson) {
+ReportPlot timeLineOf(const ReportAttempt& one, const AttemptResult& result, const ReportLesson& lesson) {
   TimeLinePlot plot;
   const auto times = timesOf(one.attempt);
   std::vector<std::string> rows;
@@ -52,7 +52,7 @@ Message verdictIn(const Attempt& attempt, const StepScore& step) {
   return attempt.outcomeOf(step.stepId) == nullptr ? say<"not reached">() : verdictWord(step.verdict);
 }
 
-ReportPlot barsOf(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson) {
+ReportPlot barsOf(const ReportAttempt& one, const AttemptResult& result, const ReportLesson& lesson) {
   BarsPlot plot;
   for (const StepScore& step : result.counted.steps) {
     if (weightIn(result, step) <= 0.0) continue;
@@ -63,7 +63,7 @@ ReportPlot barsOf(const ReportedAttempt& one, const AttemptResult& result, const
   return {say<"Score of each step that counts; dashed: what passes">(), std::move(plot)};
 }
 
-ReportTable stepsTable(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson) {
+ReportTable stepsTable(const ReportAttempt& one, const AttemptResult& result, const ReportLesson& lesson) {
   ReportTable table{say<"Steps">(),
                     {{say<"Step">()},
                      {say<"Task">()},
@@ -90,7 +90,7 @@ ReportTable stepsTable(const ReportedAttempt& one, const AttemptResult& result, 
   return table;
 }
 
-ReportFacts factsOf(const ReportedAttempt& one, const AttemptResult& result, const ReportedLesson& lesson, const std::string& who) {
+ReportFacts factsOf(const ReportAttempt& one, const AttemptResult& result, const ReportLesson& lesson, const std::string& who) {
   ReportFacts facts;
   facts.rows = {{say<"Trainee">(), verbatim(who)},
                 {say<"Case">(), verbatim(lesson.caseTitle)},
@@ -119,8 +119,7 @@ std::string calledIn(const ReportOptions& options, const Pseudonyms& codes, cons
   return person.empty() ? options.say(say<"without a name">()) : person;
 }
 
-ReportDocument attemptReport(const ReportedAttempt& one, const ReportedLesson& lesson, const Pseudonyms& codes,
-                             const ReportOptions& options) {
+ReportDocument attemptReport(const ReportAttempt& one, const ReportLesson& lesson, const Pseudonyms& codes, const ReportOptions& options) {
   const std::string who = calledIn(options, codes, one.attempt.person);
   ReportDocument document;
   document.title = say<"%1: %2">(lessonName(one.attempt, lesson), who);

@@ -125,7 +125,7 @@ void addComments(const PartOf& of, const std::string& stepId, StepRecordings& re
     for (const ReviewComment& comment : file.comments) {
       if (comment.stepId != stepId) continue;
       const std::string author = reviewerIn(of.options, of.codes, file.author);
-      const Message said = comment.text.empty() ? say<"(a drawing on the picture)">() : verbatim(comment.text);
+      const Message said = comment.text.empty() ? say<"(a drawing on the image)">() : verbatim(comment.text);
       const auto at_s = recordings.sinceBegin_s(comment.recording, comment.time_s);
       list.items.push_back(
           {at_s ? say<"%1, at %2 of the scan: %3">(author, durationText(*at_s), said) : joined({verbatim(author), said}, ": ")});
@@ -135,16 +135,16 @@ void addComments(const PartOf& of, const std::string& stepId, StepRecordings& re
   blocks.emplace_back(std::move(list));
 }
 
-void addPictures(const PartOf& of, const StepOutcome& outcome, const std::string& title, Blocks& blocks) {
-  if (!of.options.pictures) return;
-  for (std::size_t n = 0; n < outcome.pictures.size(); ++n)
+void addImages(const PartOf& of, const StepOutcome& outcome, const std::string& title, Blocks& blocks) {
+  if (!of.options.images) return;
+  for (std::size_t n = 0; n < outcome.images.size(); ++n)
     blocks.emplace_back(
-        ReportPicture{of.one.folder / std::filesystem::path(outcome.pictures[n]).filename(),
-                      outcome.pictures.size() == 1 ? say<"Stored picture: %1">(title) : say<"Stored picture %1: %2">(n + 1, title)});
+        ReportImage{of.one.folder / std::filesystem::path(outcome.images[n]).filename(),
+                    outcome.images.size() == 1 ? say<"Stored image: %1">(title) : say<"Stored image %1: %2">(n + 1, title)});
 }
 
 void addPath(const PartOf& of, const StepOutcome& outcome, StepRecordings& recordings, Blocks& blocks) {
-  if (!of.options.pictures || outcome.recording.empty()) return;
+  if (!of.options.images || outcome.recording.empty()) return;
   const auto& recording = recordings.of(outcome.recording);
   if (!recording) {
     blocks.emplace_back(ReportParagraph{inWordsOf(of.lesson.words, recording.error().message), ReportTone::caution});
@@ -170,7 +170,7 @@ void addStep(const PartOf& of, const StepScore& step, std::size_t number, Blocks
   if (!step.metrics.empty()) addMetrics(of, step, blocks);
   StepRecordings recordings(of.one.folder);
   if (outcome != nullptr) {
-    addPictures(of, *outcome, title, blocks);
+    addImages(of, *outcome, title, blocks);
     addPath(of, *outcome, recordings, blocks);
   }
   addComments(of, step.stepId, recordings, blocks);

@@ -61,12 +61,12 @@ ReportPlot metricPlot(const ClassOf& of, const ClassStep& step, const ClassMetri
 }
 
 /// Attempts as the statistics of ratings take them, under the ids that reports show.
-std::vector<RatedAttempt> ratedAttempts(const ClassOf& of) {
-  std::vector<RatedAttempt> rated;
-  for (const ReportedAttempt& one : of.attempts) {
-    RatedAttempt made;
+std::vector<AttemptRatings> ratedAttempts(const ClassOf& of) {
+  std::vector<AttemptRatings> rated;
+  for (const ReportAttempt& one : of.attempts) {
+    AttemptRatings made;
     made.attemptId = one.attempt.id;
-    for (const KeptRating& each : one.ratings.ratings) made.ratings.push_back(each.rating);
+    for (const RatingRecord& each : one.ratings.ratings) made.ratings.push_back(each.rating);
     rated.push_back(std::move(made));
   }
   return rated;
@@ -75,8 +75,8 @@ std::vector<RatedAttempt> ratedAttempts(const ClassOf& of) {
 /// The forms that were used, of each the newest.
 std::vector<std::shared_ptr<const RatingForm>> formsOf(const ClassOf& of) {
   std::vector<std::shared_ptr<const RatingForm>> forms;
-  for (const ReportedAttempt& one : of.attempts)
-    for (const KeptRating& each : one.ratings.ratings) {
+  for (const ReportAttempt& one : of.attempts)
+    for (const RatingRecord& each : one.ratings.ratings) {
       const auto same = std::find_if(forms.begin(), forms.end(), [&](const auto& form) { return form->id == each.form->id; });
       if (same == forms.end())
         forms.push_back(each.form);
@@ -200,7 +200,7 @@ void addAttemptTable(const ClassOf& of, std::vector<ReportBlock>& blocks) {
                      {say<"Ratings">(), true}},
                     {}};
   for (std::size_t n = 0; n < of.attempts.size(); ++n) {
-    const ReportedAttempt& one = of.attempts[n];
+    const ReportAttempt& one = of.attempts[n];
     const AttemptResult result = one.result();
     const bool isJudged = result.isKnown && result.passed();
     table.rows.push_back(

@@ -8,8 +8,8 @@ namespace ew::reports {
 
 /// What the parts of a class's report are made of.
 struct ClassOf {
-  const std::vector<ReportedAttempt>& attempts;
-  const ReportedLesson& lesson;
+  const std::vector<ReportAttempt>& attempts;
+  const ReportLesson& lesson;
   const Pseudonyms& codes;
   const std::vector<std::string>& pages;
   const ReportOptions& options;

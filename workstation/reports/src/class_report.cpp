@@ -36,7 +36,7 @@ ReportFacts summaryOf(const ClassOf& of) {
 /// Attempts scored by different plans or programs cannot be compared without a word.
 std::optional<ReportParagraph> mixedScores(const ClassOf& of) {
   std::set<std::tuple<int, int>> kinds;
-  for (const ReportedAttempt& one : of.attempts)
+  for (const ReportAttempt& one : of.attempts)
     if (one.score) kinds.insert({one.score->planRevision, one.score->scoring});
   if (kinds.size() < 2) return std::nullopt;
   return ReportParagraph{
@@ -107,23 +107,23 @@ void addWorth(const ClassOf& of, std::vector<ReportBlock>& blocks) {
 
 }  // namespace
 
-ClassAttempt classAttemptOf(const ReportedAttempt& attempt, const StandingsByAttempt& standings) {
+ClassAttempt classAttemptOf(const ReportAttempt& attempt, const StandingsByAttempt& standings) {
   return classAttemptOf(attempt.attempt, attempt.result(), standingIn(standings, attempt.attempt.id), standingBy(attempt.ratings));
 }
 
-ClassFigures classFiguresOf(const std::vector<ReportedAttempt>& attempts, const StandingsByAttempt& standings) {
+ClassFigures classFiguresOf(const std::vector<ReportAttempt>& attempts, const StandingsByAttempt& standings) {
   std::vector<ClassAttempt> all;
-  for (const ReportedAttempt& one : attempts) all.push_back(classAttemptOf(one, standings));
+  for (const ReportAttempt& one : attempts) all.push_back(classAttemptOf(one, standings));
   return classFiguresOf(all);
 }
 
-ReportDocument classReport(const std::vector<ReportedAttempt>& attempts, const ReportedLesson& lesson, const Pseudonyms& codes,
+ReportDocument classReport(const std::vector<ReportAttempt>& attempts, const ReportLesson& lesson, const Pseudonyms& codes,
                            const std::vector<std::string>& pages, const ReportOptions& options) {
   const ClassOf of{attempts, lesson, codes, pages, options, classFiguresOf(attempts, lesson.standings)};
   ReportDocument document;
   document.title = say<"%1: class">(attempts.empty() ? lesson.lessonTitle : lessonName(attempts.front().attempt, lesson));
   document.subtitle = verbatim(lesson.caseTitle);
-  for (const ReportedAttempt& one : attempts) document.at = std::max(document.at, newestOf(one));
+  for (const ReportAttempt& one : attempts) document.at = std::max(document.at, newestOf(one));
   auto& blocks = document.blocks;
   blocks.emplace_back(summaryOf(of));
   if (attempts.empty())

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ew/core/numbers.h"
-#include "ew/library/moment.h"
+#include "ew/library/timestamp.h"
 
 namespace ew {
 namespace {
@@ -93,11 +93,11 @@ constexpr std::string_view kColumns[] = {"attempt",
                                          "judged_anew",
                                          "valid_poses [%]"};
 
-CsvLine begun(const ReportedAttempt& one, const AttemptResult& result, const Pseudonyms& codes, bool names) {
+CsvLine begun(const ReportAttempt& one, const AttemptResult& result, const Pseudonyms& codes, bool names) {
   CsvLine line;
   const Attempt& attempt = one.attempt;
   line.add(attempt.id).add(names ? attempt.person : codes.ofPerson(attempt.person)).add(attempt.caseId).add(attempt.lessonId);
-  line.add(momentText(attempt.startedAt)).add(attempt.finishedAt ? momentText(*attempt.finishedAt) : "").add(yes(result.isScored));
+  line.add(timestampText(attempt.startedAt)).add(attempt.finishedAt ? timestampText(*attempt.finishedAt) : "").add(yes(result.isScored));
   const bool isJudged = result.isKnown && result.passed();
   isJudged ? line.add(*result.score()).add(yes(*result.passed())) : line.skip(2);
   result.isKnown ? line.add(verdictWord(result).english()) : line.skip();
@@ -105,7 +105,7 @@ CsvLine begun(const ReportedAttempt& one, const AttemptResult& result, const Pse
   line.add(result.worked_s);
   if (!result.isScored) return line.skip(4);
   const AttemptScore& score = result.counted;
-  return line.add(score.planRevision).add(score.scoring).add(score.program).add(momentText(score.madeAt));
+  return line.add(score.planRevision).add(score.scoring).add(score.program).add(timestampText(score.madeAt));
 }
 
 /// Whether scoring has looked at the poses of a step: an earlier version wrote 1 of steps without a recording, too.
@@ -150,16 +150,16 @@ std::string csvText(std::string_view text) {
   return quoted + "\"";
 }
 
-std::string csvOf(const std::vector<ReportedAttempt>& attempts, const Pseudonyms& codes, bool names) {
+std::string csvOf(const std::vector<ReportAttempt>& attempts, const Pseudonyms& codes, bool names) {
   std::vector<AttemptResult> results;
-  for (const ReportedAttempt& one : attempts) results.push_back(one.result());
+  for (const ReportAttempt& one : attempts) results.push_back(one.result());
   const std::vector<MetricColumn> columns = columnsOf(results);
   CsvLine heads;
   for (const std::string_view name : kColumns) heads.add(name);
   for (const MetricColumn& column : columns) heads.add(titleOf(column));
   std::string table = heads.text();
   for (std::size_t n = 0; n < attempts.size(); ++n) {
-    const ReportedAttempt& one = attempts[n];
+    const ReportAttempt& one = attempts[n];
     const AttemptResult& result = results[n];
     const CsvLine begin = begun(one, result, codes, names);
     if (result.isKnown)

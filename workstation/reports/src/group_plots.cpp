@@ -18,7 +18,7 @@ constexpr int kHighestDot = 7;
 constexpr double kDotRadius = 3.0;
 constexpr std::size_t kStripParts = 40;
 
-/// Where values are drawn across a picture, with its ticks below.
+/// Where values are drawn across an image, with its ticks below.
 struct Across {
   ChartAxis axis;
   bool isShare = false;

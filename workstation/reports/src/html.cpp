@@ -1,7 +1,7 @@
 #include "ew/reports/html.h"
 
 #include "ew/io/safe_file.h"
-#include "ew/reports/picture_file.h"
+#include "ew/reports/image_file.h"
 #include "html_style.h"
 #include "report_words.h"
 
@@ -120,11 +120,11 @@ class PageWriter {
              "</figcaption><div class='wide' tabindex='0' role='region' aria-label='" + text(plot.title) + "'>" +
              svgOf(plot, pageColours(), [this](const Message& message) { return options_.say(message); }) + "</div></figure>";
   }
-  void write(const ReportPicture& picture) {
-    const auto read = pictureOf(picture);
+  void write(const ReportImage& image) {
+    const auto read = imageOf(image);
     if (!read) return write(ReportParagraph{read.error().message, ReportTone::caution});
-    const std::string caption = text(picture.caption);
-    html_ += "<figure" + classOf(picture.isSmall ? "small" : "") + "><img alt='" + caption + "' src='data:" + read->mediaType + ";base64," +
+    const std::string caption = text(image.caption);
+    html_ += "<figure" + classOf(image.isSmall ? "small" : "") + "><img alt='" + caption + "' src='data:" + read->mediaType + ";base64," +
              base64Of(read->bytes) + "'><figcaption>" + caption + "</figcaption></figure>";
   }
 

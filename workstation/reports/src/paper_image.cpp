@@ -4,7 +4,7 @@
 #include <cstring>
 #include <optional>
 
-#include "ew/library/plain_picture.h"
+#include "ew/library/plain_image.h"
 
 namespace ew::reports {
 namespace {
@@ -67,10 +67,10 @@ cairo_surface_t* surfaceOfJpeg(std::string_view bytes, const glm::dvec2& size) {
 
 }  // namespace
 
-Result<PaperImage> paperImage(const PictureFile& file, const std::string& name) {
-  const auto damaged = [&] { return failure(ErrorCode::badHeader, say<"The picture '%1' is damaged.">(name)); };
+Result<PaperImage> paperImage(const ImageFile& file, const std::string& name) {
+  const auto damaged = [&] { return failure(ErrorCode::badHeader, say<"The image '%1' is damaged.">(name)); };
   std::string ending;
-  const auto bytes = plainPicture(file.bytes, ending);  // nobody looks for names and places in a printed image
+  const auto bytes = plainImage(file.bytes, ending);  // nobody looks for names and places in a printed image
   if (!bytes) return damaged();
   const bool isPng = ending == ".png";
   const auto size = isPng ? sizeOfPng(*bytes) : sizeOfJpeg(*bytes);

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "ew/core/result.h"
-#include "ew/reports/picture_file.h"
+#include "ew/reports/image_file.h"
 
 namespace ew::reports {
 
@@ -16,6 +16,6 @@ struct PaperImage {
   glm::dvec2 size{0.0};  ///< pixels, > 0
 };
 /// @param name of its file, for the sentence @error badHeader (damaged, of no size, or of more than 64 million pixels)
-[[nodiscard]] Result<PaperImage> paperImage(const PictureFile& file, const std::string& name);
+[[nodiscard]] Result<PaperImage> paperImage(const ImageFile& file, const std::string& name);
 
 }  // namespace ew::reports

@@ -24,8 +24,8 @@ constexpr const char* kIndex = "index.html";
 /// The attempts of one lesson and their pages.
 struct Class {
   std::string caseId, lessonId;
-  std::string page;                       ///< of the class
-  std::vector<ReportedAttempt> attempts;  ///< by their beginning
+  std::string page;                     ///< of the class
+  std::vector<ReportAttempt> attempts;  ///< by their beginning
   std::vector<std::string> pages;
 };
 
@@ -71,15 +71,15 @@ Result<Read> readClasses(const ReportRequest& request, Progress& progress) {
     std::tie(one.caseId, one.lessonId) = name;
     one.page = byLesson.size() == 1 ? kIndex : "lesson-" + std::to_string(classes.size() + 1) + ".html";
     std::stable_sort(one.attempts.begin(), one.attempts.end(),
-                     [](const ReportedAttempt& a, const ReportedAttempt& b) { return a.attempt.startedAt < b.attempt.startedAt; });
-    for (const ReportedAttempt& each : one.attempts) one.pages.push_back(pageOf(each.attempt, taken));
+                     [](const ReportAttempt& a, const ReportAttempt& b) { return a.attempt.startedAt < b.attempt.startedAt; });
+    for (const ReportAttempt& each : one.attempts) one.pages.push_back(pageOf(each.attempt, taken));
     classes.push_back(std::move(one));
   }
   return all;
 }
 
 /// The lessons, each with its page.
-ReportDocument indexOf(const std::vector<Class>& classes, const std::vector<ReportedLesson>& lessons) {
+ReportDocument indexOf(const std::vector<Class>& classes, const std::vector<ReportLesson>& lessons) {
   ReportDocument document;
   document.title = say<"Reports of lessons">();
   ReportTable table{
@@ -92,8 +92,8 @@ ReportDocument indexOf(const std::vector<Class>& classes, const std::vector<Repo
     table.rows.push_back({{verbatim(reports::lessonName(attempts.front().attempt, lessons[n])), ReportTone::plain, classes[n].page},
                           {verbatim(lessons[n].caseTitle)},
                           {verbatim(std::to_string(attempts.size()))},
-                          {count([](const ReportedAttempt& one) { return one.result().isKnown && one.result().passed().value_or(false); })},
-                          {count([](const ReportedAttempt& one) { return !one.result().isKnown || !one.result().passed(); })}});
+                          {count([](const ReportAttempt& one) { return one.result().isKnown && one.result().passed().value_or(false); })},
+                          {count([](const ReportAttempt& one) { return !one.result().isKnown || !one.result().passed(); })}});
   }
   document.blocks.emplace_back(std::move(table));
   document.blocks.emplace_back(ReportParagraph{validitySentence()});
@@ -112,7 +112,7 @@ class Writing {
     if (!request_.html.empty() || !request_.pdf.empty())
       if (auto written = pages(read, *codes); !written) return written;
     if (request_.csv.empty()) return {};
-    std::vector<ReportedAttempt> attempts;
+    std::vector<ReportAttempt> attempts;
     for (const Class& one : read.classes) attempts.insert(attempts.end(), one.attempts.begin(), one.attempts.end());
     return write(request_.csv, csvOf(attempts, *codes, request_.options.names));
   }
@@ -137,7 +137,7 @@ class Writing {
 
   Result<void> pages(const Read& read, const Pseudonyms& codes) {
     const auto& classes = read.classes;
-    std::vector<ReportedLesson> lessons;
+    std::vector<ReportLesson> lessons;
     for (const Class& one : classes) {
       lessons.push_back(readReportedLesson(one.caseId, one.lessonId, request_.library, request_.options));
       auto document = classReport(one.attempts, lessons.back(), codes, one.pages, request_.options);
@@ -154,7 +154,7 @@ class Writing {
     return write(kIndex, index);
   }
 
-  Result<void> attemptPages(const Class& one, const ReportedLesson& lesson, const Pseudonyms& codes) {
+  Result<void> attemptPages(const Class& one, const ReportLesson& lesson, const Pseudonyms& codes) {
     std::mutex guard;
     std::optional<Error> problem;
     const bool isDone =

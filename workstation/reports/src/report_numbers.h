@@ -6,7 +6,7 @@
 
 namespace ew::reports {
 
-/// As a coordinate of a picture: one decimal at most.
+/// As a coordinate of an image: one decimal at most.
 [[nodiscard]] std::string coordinate(double value);
 
 }  // namespace ew::reports

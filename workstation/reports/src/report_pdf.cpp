@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ew/io/safe_file.h"
-#include "ew/library/moment.h"
-#include "ew/reports/picture_file.h"
+#include "ew/library/timestamp.h"
+#include "ew/reports/image_file.h"
 #include "paper_image.h"
 #include "paper_look.h"
 #include "paper_plot.h"
@@ -15,8 +15,8 @@ namespace ew {
 namespace reports {
 namespace {
 
-constexpr double kPlot_mm = 104.0, kBetween_mm = 6.0, kWidestPicture_mm = 130.0, kHighestPicture_mm = 90.0;
-constexpr double kPixel_mm = 25.4 / 96.0;  // at most: small pictures stay small
+constexpr double kPlot_mm = 104.0, kBetween_mm = 6.0, kWidestImage_mm = 130.0, kHighestImage_mm = 90.0;
+constexpr double kPixel_mm = 25.4 / 96.0;  // at most: small images stay small
 
 PaperFont headingFont(int level) { return {level <= 2 ? 13.0 : level == 3 ? 11.0 : 9.5, true, false}; }
 
@@ -31,7 +31,7 @@ class PaperWriter {
     text(simulationSentence(), kStrongFont, inkOf(ReportTone::caution));
     for (std::size_t n = 0; n < document.blocks.size(); ++n) {
       const ReportBlock& block = document.blocks[n];
-      if (!std::holds_alternative<ReportPlot>(block) && !std::holds_alternative<ReportPicture>(block)) endRow();
+      if (!std::holds_alternative<ReportPlot>(block) && !std::holds_alternative<ReportImage>(block)) endRow();
       if (std::holds_alternative<ReportHeading>(block)) keepWithWhatItHeads(document.blocks, n);
       std::visit([this](const auto& one) { put(one); }, block);
     }
@@ -62,8 +62,8 @@ class PaperWriter {
       else
         break;
     }
-    const auto* picture = n < blocks.size() ? std::get_if<ReportPicture>(&blocks[n]) : nullptr;
-    if (picture != nullptr && picture->isSmall) room_mm += kHighestPicture_mm - kBeginning_mm;
+    const auto* block = n < blocks.size() ? std::get_if<ReportImage>(&blocks[n]) : nullptr;
+    if (block != nullptr && block->isSmall) room_mm += kHighestImage_mm - kBeginning_mm;
     pages_.makeRoom(std::min(PaperPages::mm(room_mm), pages_.roomOfAPage()));
   }
   void put(const ReportHeading& heading) {
@@ -120,7 +120,7 @@ class PaperWriter {
     standInRow(plot.isSmall, height);
   }
 
-  /// Room for a plot or picture, of which small ones stand two in a row. @return how far from the left
+  /// Room for a plot or image, of which small ones stand two in a row. @return how far from the left
   double placeInRow(bool isSmall, double height) {
     if (!isSmall || !isSecondOfRow_ || height > pages_.roomLeft()) {
       endRow();
@@ -143,18 +143,18 @@ class PaperWriter {
     for (int n = 0; n < text.lines(); ++n) pages_.line(text, n, font, ink, {at.x, at.y + n * lineHeight(font)}, width);
   }
 
-  void put(const ReportPicture& picture) {
-    const auto read = pictureOf(picture);
+  void put(const ReportImage& block) {
+    const auto read = imageOf(block);
     if (!read) return putInstead(ReportParagraph{read.error().message, ReportTone::caution});
-    const auto image = paperImage(*read, picture.file.filename().string());
+    const auto image = paperImage(*read, block.file.filename().string());
     if (!image) return putInstead(ReportParagraph{image.error().message, ReportTone::caution});
-    const double width = picture.isSmall ? halfWidth() : pages_.width();
-    const PaperText caption = laidOut(picture.caption, kTableFont, width);
-    const glm::dvec2 most(std::min(PaperPages::mm(kWidestPicture_mm), width), PaperPages::mm(kHighestPicture_mm));
+    const double width = block.isSmall ? halfWidth() : pages_.width();
+    const PaperText caption = laidOut(block.caption, kTableFont, width);
+    const glm::dvec2 most(std::min(PaperPages::mm(kWidestImage_mm), width), PaperPages::mm(kHighestImage_mm));
     const double pixel = std::min({PaperPages::mm(kPixel_mm), most.x / image->size.x, most.y / image->size.y});
     const double height = pixel * image->size.y + PaperPages::mm(1.0);
     const double withCaption = height + lineHeight(kTableFont) * caption.lines();
-    const double x = placeInRow(picture.isSmall, withCaption);
+    const double x = placeInRow(block.isSmall, withCaption);
     pages_.draw([surface = image->surface, x, y = pages_.y(), pixel](cairo_t* pen) {
       cairo_translate(pen, x, y);
       cairo_scale(pen, pixel, pixel);
@@ -162,9 +162,9 @@ class PaperWriter {
       cairo_paint(pen);
     });
     putLinesAt(caption, kTableFont, kSoftInk, {x, pages_.y() + height}, width);
-    standInRow(picture.isSmall, withCaption + 1.6 * kGap);
+    standInRow(block.isSmall, withCaption + 1.6 * kGap);
   }
-  /// Of a picture that cannot be shown.
+  /// Of an image that cannot be shown.
   void putInstead(const ReportParagraph& paragraph) {
     endRow();
     put(paragraph);
@@ -185,7 +185,7 @@ Result<std::string> pdfOf(const ReportDocument& document, const ReportOptions& o
   auto pages = PaperPages::begin(paper, {title, options.say(simulationSentence()), number}, options.language);
   if (!pages) return passOn(pages.error());
   reports::PaperWriter(*pages, options).write(document);
-  return pages->pdf({title, document.at ? momentText(*document.at) : std::string()});
+  return pages->pdf({title, document.at ? timestampText(*document.at) : std::string()});
 }
 
 Result<void> writeReportPdf(const ReportDocument& document, const ReportOptions& options, PaperSize paper,

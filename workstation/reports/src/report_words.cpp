@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ew/library/moment.h"
+#include "ew/library/timestamp.h"
 
 namespace ew::reports {
 namespace {
@@ -75,12 +75,12 @@ Message kindText(std::string_view kind) {
 
 Message momentWords(std::chrono::sys_seconds moment) {
   if (moment == std::chrono::sys_seconds{}) return say<"not known">();
-  std::string text = momentText(moment).substr(0, 16);
+  std::string text = timestampText(moment).substr(0, 16);
   text[10] = ' ';
   return verbatim(text + " UTC");
 }
 
-std::optional<std::chrono::sys_seconds> newestOf(const ReportedAttempt& attempt) {
+std::optional<std::chrono::sys_seconds> newestOf(const ReportAttempt& attempt) {
   std::chrono::sys_seconds newest = std::max(attempt.attempt.startedAt, attempt.attempt.finishedAt.value_or(attempt.attempt.startedAt));
   if (attempt.score) newest = std::max(newest, attempt.score->madeAt);
   if (newest == std::chrono::sys_seconds{}) return {};
@@ -91,7 +91,7 @@ Message figureName(const std::string& name) {
   if (name == "angle") return say<"Angle">();
   if (name == "distance") return say<"Distance">();
   if (name == "roll") return say<"Roll">();
-  if (name == "in_picture") return say<"Shift in the picture">();
+  if (name == "in_picture") return say<"Shift in the image">();
   if (name == "face") return say<"Place of the probe">();
   if (name == "coverage") return say<"Coverage">();
   if (name == "value") return say<"Value that was measured">();
@@ -123,7 +123,7 @@ std::string stepTitle(const CaseWords& words, const std::string& stepId, const s
   return title.empty() ? stepId : words.of(title);
 }
 
-std::string lessonName(const Attempt& attempt, const ReportedLesson& lesson) {
+std::string lessonName(const Attempt& attempt, const ReportLesson& lesson) {
   return lesson.lesson || attempt.lessonTitle.empty() ? lesson.lessonTitle : attempt.lessonTitle;
 }
 

@@ -8,8 +8,8 @@
 
 #include "ew/library/attempt.h"
 #include "ew/library/case_words.h"
+#include "ew/reports/report_attempt.h"
 #include "ew/reports/report_document.h"
-#include "ew/reports/reported_attempt.h"
 
 namespace ew::reports {
 
@@ -23,8 +23,8 @@ namespace ew::reports {
 /// "2026-11-26 09:30 UTC"; "not known" of a moment that was never set.
 [[nodiscard]] Message momentWords(std::chrono::sys_seconds moment);
 /// When the newest thing that counts was made: the attempt or its score; nothing when no clock was set.
-[[nodiscard]] std::optional<std::chrono::sys_seconds> newestOf(const ReportedAttempt& attempt);
-/// What judging calls a figure of a task, for people: "in_picture" is "shift in the picture".
+[[nodiscard]] std::optional<std::chrono::sys_seconds> newestOf(const ReportAttempt& attempt);
+/// What judging calls a figure of a task, for people: "in_picture" is "shift in the image".
 [[nodiscard]] Message figureName(const std::string& name);
 /// The name of a metric; its id when this program does not know it.
 [[nodiscard]] Message metricName(const std::string& id);
@@ -34,7 +34,7 @@ namespace ew::reports {
 /// A score's step as the lesson calls it, in the report's language.
 [[nodiscard]] std::string stepTitle(const CaseWords& words, const std::string& stepId, const std::string& title);
 /// Of a lesson that is gone, what it was called when it was tried.
-[[nodiscard]] std::string lessonName(const Attempt& attempt, const ReportedLesson& lesson);
+[[nodiscard]] std::string lessonName(const Attempt& attempt, const ReportLesson& lesson);
 /// "95 % interval 0.61 to 0.74"
 [[nodiscard]] Message intervalText(double low, double high);
 

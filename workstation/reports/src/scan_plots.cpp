@@ -32,10 +32,10 @@ Extent extentOf(const PathPlot& plot) {
   return extent;
 }
 
-/// From mm of the body to the picture, both axes alike.
+/// From mm of the body to the image, both axes alike.
 struct BodyScale {
   BodyScale(const Extent& extent, double top, double bottom) {
-    constexpr double kSmallest_mm = 20.0;  // a probe that rests is no picture of a tremor
+    constexpr double kSmallest_mm = 20.0;  // a probe that rests is no image of a tremor
     const glm::dvec2 size = glm::max(extent.high - extent.low, glm::dvec2(kSmallest_mm));
     perMm = std::min((kPlotWidth - 2.0 * kEdge - 30.0) / size.x, (bottom - top) / size.y);
     centre_mm = 0.5 * (extent.low + extent.high);

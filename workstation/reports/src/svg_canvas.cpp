@@ -61,7 +61,7 @@ void SvgCanvas::path(const std::vector<glm::dvec2>& points, const std::string& c
              attribute("stroke-linejoin", "round") + attribute("stroke-linecap", "round") + dashing(dashes) + "/>";
 }
 
-std::string SvgCanvas::picture(const Message& title, double height) const {
+std::string SvgCanvas::image(const Message& title, double height) const {
   const std::string name = htmlEscaped(words(title));
   return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " + coordinate(kPlotWidth) + " " + coordinate(height) +
          "' role='img' aria-label='" + name + "' font-family='system-ui, DejaVu Sans, sans-serif' font-size='" + coordinate(kTextSize) +
@@ -77,7 +77,7 @@ PlotColours paperColours() { return {"#1d2329", "#4d565f", "#c9cfd6", "#a34700",
 std::string svgOf(const ReportPlot& plot, const PlotColours& colours, const std::function<std::string(const Message&)>& words) {
   reports::SvgCanvas canvas(colours, words);
   const double height = std::visit([&](const auto& data) { return reports::draw(canvas, data); }, plot.data);
-  return canvas.picture(plot.title, height);
+  return canvas.image(plot.title, height);
 }
 
 }  // namespace ew

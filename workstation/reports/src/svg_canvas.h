@@ -16,7 +16,7 @@ class SvgCanvas : public PlotCanvas {
   void circle(double x, double y, double radius, const std::string& colour, bool isFilled) override;
   void path(const std::vector<glm::dvec2>& points, const std::string& colour, double width, Dashes dashes) override;
   /// The whole element. @param title for whoever hears the page
-  [[nodiscard]] std::string picture(const Message& title, double height) const;
+  [[nodiscard]] std::string image(const Message& title, double height) const;
 
  private:
   std::string shapes_;

@@ -5,7 +5,7 @@
 namespace ew {
 namespace {
 
-ReportTable tableOf(const measurement::FilledSection& section, std::string_view language) {
+ReportTable tableOf(const measurement::SectionValues& section, std::string_view language) {
   ReportTable table{{}, {{say<"Measurement">()}, {say<"Value">(), true}, {say<"Usual values">()}}, {}};
   for (const measurement::WorksheetRow& row : section.rows) {
     measurement::WorksheetLine line = lineOf(row, language);
@@ -29,7 +29,7 @@ ReportDocument worksheetReport(const measurement::Worksheet& sheet, WorksheetAbo
   };
   if (!about.examiner.empty()) add(say<"Examined by: %1">(std::move(about.examiner)));
   if (sheet.gestation_weeks) add(say<"Gestational age by dates: %1">(measurement::gestationText(*sheet.gestation_weeks)));
-  for (const measurement::FilledSection& section : sheet.sections) {
+  for (const measurement::SectionValues& section : sheet.sections) {
     document.blocks.emplace_back(ReportHeading{3, verbatim(section.title.in(language))});
     document.blocks.emplace_back(tableOf(section, language));
   }
@@ -37,11 +37,11 @@ ReportDocument worksheetReport(const measurement::Worksheet& sheet, WorksheetAbo
   for (const measurement::SummaryReading& summary : sheet.summaries)
     add(joined({verbatim(summary.title.in(language)), verbatim(summary.says.in(language))}, ": "));
   if (!sheet.source.empty()) add(verbatim(sheet.source), ReportTone::soft);
-  if (!about.pictures.empty()) document.blocks.emplace_back(ReportHeading{3, say<"Images">()});
-  for (std::size_t n = 0; n < about.pictures.size(); ++n) {
-    ReportPicture& picture = about.pictures[n];
-    picture.caption = joined({verbatim(std::to_string(n + 1) + "."), std::move(picture.caption)});
-    document.blocks.emplace_back(std::move(picture));
+  if (!about.images.empty()) document.blocks.emplace_back(ReportHeading{3, say<"Images">()});
+  for (std::size_t n = 0; n < about.images.size(); ++n) {
+    ReportImage& image = about.images[n];
+    image.caption = joined({verbatim(std::to_string(n + 1) + "."), std::move(image.caption)});
+    document.blocks.emplace_back(std::move(image));
   }
   return document;
 }

@@ -9,13 +9,13 @@ constexpr double kTransition_s = 1.5;
 
 }  // namespace
 
-void AskedBreathing::ask(BreathingRequest request, const BodyRhythms& rhythms, double time_s) {
+void BreathControl::ask(BreathingRequest request, const BodyRhythms& rhythms, double time_s) {
   from_ = at(rhythms, time_s).breath;
   asked_ = request;
   askedAt_s_ = time_s;
 }
 
-BodyState AskedBreathing::at(const BodyRhythms& rhythms, double time_s) const {
+BodyState BreathControl::at(const BodyRhythms& rhythms, double time_s) const {
   BodyState body = bodyAt(rhythms, time_s);
   if (!rhythms.breathing) return body;
   if (asked_ != BreathingRequest::free) body.breath = asked_ == BreathingRequest::breatheInAndHold ? 1.0 : 0.0;
@@ -25,7 +25,7 @@ BodyState AskedBreathing::at(const BodyRhythms& rhythms, double time_s) const {
   return body;
 }
 
-bool AskedBreathing::movesAfter(const BodyRhythms& rhythms, double time_s) const {
+bool BreathControl::movesAfter(const BodyRhythms& rhythms, double time_s) const {
   if (rhythms.pulse || rhythms.bowel) return true;
   return rhythms.breathing && (asked_ == BreathingRequest::free || time_s < askedAt_s_ + kTransition_s);
 }

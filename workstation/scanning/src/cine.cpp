@@ -24,7 +24,7 @@ std::size_t CineRing::bytesOf(const Settings& settings) {
 }
 
 std::size_t CineRing::bytesOf(const FrameMemory& memory) {
-  const ImageView<const std::uint8_t> strip = memory.strip.picture();
+  const ImageView<const std::uint8_t> strip = memory.strip.image();
   const auto width = static_cast<std::size_t>(strip.width), height = static_cast<std::size_t>(strip.height);
   return sizeof(FrameMemory) + kPerAllocation + memory.persistence.levels.capacity() * sizeof(std::uint16_t) + (width + 2) * height +
          width * sizeof(float);
@@ -190,7 +190,7 @@ void CineForming::makeNext(const CineRing& ring) {
     }
   }
   begins_ = false;
-  picture_ = scanner_.make(processed(ring.stateOf(frame), by_), size_px_.x, size_px_.y);
+  image_ = scanner_.make(processed(ring.stateOf(frame), by_), size_px_.x, size_px_.y);
   lastSize_px_ = size_px_;
   lastBy_ = by_;
   last_ = next_++;

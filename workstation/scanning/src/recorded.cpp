@@ -49,10 +49,10 @@ std::vector<bool> dataInFrontOf(const Recorded& recorded, const Probe& probe, co
   return seen;
 }
 
-UnrecordedPart unrecordedPart(const Recorded& recorded, const DisplayGeometry& geometry, const Spans& fan, const Pose& pose,
-                              double depth_mm, int every_px) {
+RecordingGap unrecordedPart(const Recorded& recorded, const DisplayGeometry& geometry, const Spans& fan, const Pose& pose, double depth_mm,
+                            int every_px) {
   EW_EXPECTS(every_px > 0);
-  UnrecordedPart part;
+  RecordingGap part;
   part.every_px = every_px;
   if (pose.status != PoseStatus::ok || fan.empty()) return part;
   part.columns = (geometry.width + every_px - 1) / every_px;

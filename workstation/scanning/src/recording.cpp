@@ -97,7 +97,7 @@ Result<void> takeFrame(const SequenceFrame& frame, std::size_t n, const fs::path
   if (!parsed || parsed->size() != 1 || parsed->front() < 0) return bad(kNumberField, say<"a whole number">());
   made.number = static_cast<std::uint64_t>(parsed->front());
   const auto pose = std::find_if(frame.transforms.begin(), frame.transforms.end(),
-                                 [](const NamedTransform& t) { return t.from == "Probe" && t.to == "World"; });
+                                 [](const FrameTransform& t) { return t.from == "Probe" && t.to == "World"; });
   if (pose == frame.transforms.end() || !frame.time_s)
     return badEvent(file, say<"frame %1">(n), say<"a ProbeToWorldTransform and a Timestamp">());
   made.pose.probeToWorld.matrix = pose->matrix;

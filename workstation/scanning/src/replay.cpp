@@ -23,7 +23,7 @@ std::size_t Replay::history(const ScanLog& log, std::size_t frame) {
   return before;
 }
 
-Picture Replay::make(std::size_t frame, int width_px, int height_px) {
+DisplayImage Replay::make(std::size_t frame, int width_px, int height_px) {
   EW_EXPECTS(frame < log_.frameCount());
   std::size_t next = last_ ? *last_ + 1 : 0;
   if (last_ && frame != next) {

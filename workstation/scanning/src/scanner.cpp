@@ -65,7 +65,7 @@ void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
                    subject_->tissue != nullptr, subject_->tissue != nullptr && subject_->tissue->isRecorded);
 }
 
-Picture Scanner::make(const ScanState& state, int width_px, int height_px) {
+DisplayImage Scanner::make(const ScanState& state, int width_px, int height_px) {
   prepare(state, width_px, height_px);
   FrameInput input;
   // Zooming out, a weave undersamples as the paper's does; the better qualities read a coarser level.
@@ -81,10 +81,10 @@ Picture Scanner::make(const ScanState& state, int width_px, int height_px) {
   input.gaps_mm = state.gaps_mm;
   input.time_s = state.time_s;
   input.number = state.number;
-  const Picture picture = maker_.make(input);
-  // Nothing of the time before a gap shows behind it, neither live, where no picture is made in it, nor here, when that is played again.
+  const DisplayImage image = maker_.make(input);
+  // Nothing of the time before a gap shows behind it, neither live, where no image is made in it, nor here, when that is played again.
   if (state.pose.status != PoseStatus::ok) maker_.forget();
-  return picture;
+  return image;
 }
 
 bool Scanner::seesVolume(const Pose& pose) const {

@@ -36,7 +36,7 @@ Result<ScanVoxels> ScanVoxels::inBricks(std::shared_ptr<const Volume> volume, in
   ScanVoxels voxels = asStored(std::move(volume));
   auto bricks = bricksOf(voxels.volume_->view(), levels, 0, progress);
   if (!bricks) return passOn(bricks.error());
-  voxels.bricks_ = std::make_shared<const BrickedVolume>(std::move(*bricks));
+  voxels.bricks_ = std::make_shared<const BrickVolume>(std::move(*bricks));
   return voxels;
 }
 

@@ -16,7 +16,7 @@ Volumes::~Volumes() = default;
 void Volumes::showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>&) {
   show(std::move(volume), title);
 }
-std::optional<ShownVolume> Volumes::shown() const { return std::nullopt; }
+std::optional<DisplayVolume> Volumes::shown() const { return std::nullopt; }
 void Volumes::wasKept(const std::shared_ptr<const Volume>&) {}
 Files::~Files() = default;
 Cases::~Cases() = default;
@@ -38,7 +38,7 @@ void Jobs::startSaving(const std::string& title, std::function<Result<void>(Prog
 PanelDocument::~PanelDocument() = default;
 std::string PanelDocument::unsaved() const { return {}; }
 Panels::~Panels() = default;
-void Panels::add(const std::string& id, const std::string& title, StagedPanel::Make make, const std::string& workspace) {
+void Panels::add(const std::string& id, const std::string& title, StagePanel::Make make, const std::string& workspace) {
   addStaged({.id = id, .title = title, .make = std::move(make), .workspace = workspace});
 }
 void Panels::setShown(const std::string&, bool) {}

@@ -59,7 +59,7 @@ Result<fs::path> keepSimulatedAttempt(const Lesson& lesson, const TraineeCase& o
   attempt.person = person.name();
   attempt.program = kVersion;
   attempt.otherFields["simulated"] = {{"level", wordOf(person.level)}, {"seed", person.seed}};
-  auto kept = KeptAttempt::begin(root, std::move(attempt));
+  auto kept = AttemptFolder::begin(root, std::move(attempt));
   if (!kept) return passOn(kept.error());
   double elapsed_s = 0.0;
   for (std::size_t n = 0; n < steps.size(); ++n) {

@@ -30,7 +30,7 @@ const typename All::value_type* nameIn(const All& all, const std::string& name) 
   return at == all.end() ? nullptr : &*at;
 }
 
-/// Half of a picture's width at a depth.
+/// Half of an image's width at a depth.
 double halfWidthAt_mm(const Fan& fan, double depth_mm) {
   constexpr double kStep_mm = 1.0, kWidest_mm = 300.0;
   const double within_mm = std::clamp(depth_mm, 1.0, 0.95 * fan.depth_mm);
@@ -68,7 +68,7 @@ class Working {
 
  private:
   // Steps without a scan.
-  void take(const ReadTask&, SimulatedStep&) { time_s_ += reading_s_; }
+  void take(const ReadingTask&, SimulatedStep&) { time_s_ += reading_s_; }
   void take(const WatchTask& task, SimulatedStep& made) {
     time_s_ += reading_s_ + on_.lengthOf_s(task.recording);
     made.answer = WatchAnswer{true};
@@ -206,7 +206,8 @@ class Working {
 };
 
 bool isScanned(const LessonTask& task) {
-  return !std::holds_alternative<ReadTask>(task) && !std::holds_alternative<WatchTask>(task) && !std::holds_alternative<AnswerTask>(task);
+  return !std::holds_alternative<ReadingTask>(task) && !std::holds_alternative<WatchTask>(task) &&
+         !std::holds_alternative<AnswerTask>(task);
 }
 
 }  // namespace

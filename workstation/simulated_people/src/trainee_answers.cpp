@@ -58,7 +58,7 @@ StepAnswer answerBy(const TraineeHabits& habits, RandomNumbers& random, const An
   return NumberAnswer{task.number.value_or(0.0) + task.tolerance * (isWrong ? side * far : right)};
 }
 
-StepAnswer measuredBy(const TraineeHabits& habits, RandomNumbers& random, const ExpectedMeasurement& expected, const ScanState& image) {
+StepAnswer measuredBy(const TraineeHabits& habits, RandomNumbers& random, const ReferenceMeasurement& expected, const ScanState& image) {
   std::vector<glm::dvec3> points_mm;
   for (const glm::dvec3& p_mm : expected.points_mm) {
     const double x_mm = errorBy(random, habits.caliperError_mm);

@@ -13,7 +13,7 @@ namespace ew::assessment {
 /// What people hand in.
 [[nodiscard]] StepAnswer answerBy(const TraineeHabits& habits, RandomNumbers& random, const AnswerTask& task);
 /// Calipers in a frozen image, as near to the truth's points as its plane lets them.
-[[nodiscard]] StepAnswer measuredBy(const TraineeHabits& habits, RandomNumbers& random, const ExpectedMeasurement& expected,
+[[nodiscard]] StepAnswer measuredBy(const TraineeHabits& habits, RandomNumbers& random, const ReferenceMeasurement& expected,
                                     const ScanState& image);
 /// A click in a frozen image on a point or a structure. @param structure not 0: its label, else the point counts
 [[nodiscard]] StepAnswer pointedBy(const TraineeHabits& habits, RandomNumbers& random, const TraineeCase& on, int structure,

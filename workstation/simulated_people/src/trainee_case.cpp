@@ -68,7 +68,7 @@ Hold holdShowing(const TeachingCase& teaching, const Hold& start, const glm::dve
 }
 
 /// Whether calipers can be set to the points in a plane. An organ's longest diameter may leave its standard plane.
-bool holds(const ExpectedPlane& plane, const std::vector<glm::dvec3>& points_mm) {
+bool holds(const ReferencePlane& plane, const std::vector<glm::dvec3>& points_mm) {
   constexpr double kBeside_mm = 2.0;
   const glm::dmat4& matrix = plane.probeToWorld.matrix;
   return std::all_of(points_mm.begin(), points_mm.end(), [&](const glm::dvec3& p_mm) {
@@ -150,7 +150,7 @@ Result<void> TraineeCase::readExperts(Progress& progress) {
 
 std::optional<TargetView> TraineeCase::found(TargetKind kind, const std::string& name) const {
   const CaseTruth& truth = teaching_.truth;
-  const auto viewOfPlane = [&](const ExpectedPlane& plane) {
+  const auto viewOfPlane = [&](const ReferencePlane& plane) {
     return TargetView{holdFor(Pose{.probeToWorld = plane.probeToWorld}, *teaching_.skin)};
   };
   if (kind == TargetKind::plane) {

@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostMovements = 6;                  // a first one and its corrections
 constexpr double kNear_mm = 1.0, kNear_deg = 1.0;  // what nobody corrects
 constexpr double kCorrectionRest = 0.25;           // of a pause, before a correction
-constexpr double kOverlap = 0.8;                   // of a picture's width, from pass to pass of a faultless sweep
+constexpr double kOverlap = 0.8;                   // of an image's width, from pass to pass of a faultless sweep
 constexpr double kMargin_mm = 8.0;                 // beyond both ends of a structure
 
 }  // namespace

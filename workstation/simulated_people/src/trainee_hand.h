@@ -19,7 +19,7 @@ class TraineeHand {
   /// The hold as this person presses it on.
   [[nodiscard]] Hold pressed(const Hold& target);
   /// Sweeps a structure from the view of it, in as many passes as it is wide, then once more across.
-  /// @param halfWidth_mm of the picture at the structure's depth
+  /// @param halfWidth_mm of the image at the structure's depth
   void sweep(const TargetView& view, double halfWidth_mm);
   /// One pass through the middle.
   void lookThrough(const TargetView& view);

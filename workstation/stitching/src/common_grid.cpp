@@ -35,7 +35,7 @@ double spacingAlong(const Grid& grid, const glm::dvec3& axis) {
 
 }  // namespace
 
-Result<StitchForecast> forecastStitch(std::span<const PlacedGrid> inputs, const StitchOptions& options) {
+Result<StitchForecast> forecastStitch(std::span<const GridPlacement> inputs, const StitchOptions& options) {
   if (inputs.empty()) return failure(ErrorCode::emptyVolume, say<"There is no volume to stitch; add at least one.">());
   if (inputs.size() > kMostInputs)
     return failure(ErrorCode::unsupported, say<"At most %1 volumes can be stitched at once; stitch them in groups.">(kMostInputs));

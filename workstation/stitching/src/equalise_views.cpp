@@ -33,7 +33,7 @@ struct Seen {
 
 /// The world in steps of a quarter of a cell, around all views.
 Result<Grid> worldOf(std::span<const View> views, double step_mm) {
-  std::vector<PlacedGrid> grids;
+  std::vector<GridPlacement> grids;
   for (const View& view : views) grids.push_back({view.volume->grid, view.toWorld, view.name});
   StitchOptions how;
   how.spacing_mm = step_mm;
@@ -125,7 +125,7 @@ std::vector<int> groupsOf(const std::vector<DepthDifference>& pairs, std::size_t
 
 }  // namespace
 
-Result<EqualisedViews> equaliseViews(std::span<const View> views, const EqualiseViewsOptions& options, Progress& progress) {
+Result<ViewEqualisation> equaliseViews(std::span<const View> views, const EqualiseViewsOptions& options, Progress& progress) {
   if (auto good = checkViews(views); !good) return passOn(good.error());
   const bool sound = options.cell_mm > 0.0 && options.cell_mm < 1e3 && options.knot_mm > 0.5 && options.knot_mm < 1e3 &&
                      options.smoothness >= 0.0 && options.smoothness < 1e3 && options.common >= 0.0 && options.common < 1e6 &&
@@ -146,7 +146,7 @@ Result<EqualisedViews> equaliseViews(std::span<const View> views, const Equalise
     seen.push_back(std::move(*one));
   }
 
-  EqualisedViews result;
+  ViewEqualisation result;
   std::vector<DepthDifference> pairs;
   for (std::size_t a = 0; a < views.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {

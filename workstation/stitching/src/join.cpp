@@ -119,7 +119,7 @@ double widthOf(const JoinOptions& options) {
 }
 
 /// The cells that a view's box touches.
-CellBox boxOf(const PlacedGrid& view, const Grid& cells) {
+CellBox boxOf(const GridPlacement& view, const Grid& cells) {
   const auto voxelToCell = cells.worldToVoxel() * placed(view.grid, view.toWorld).voxelToWorld();
   glm::dvec3 low(1e300);
   glm::dvec3 high(-1e300);
@@ -134,11 +134,11 @@ CellBox boxOf(const PlacedGrid& view, const Grid& cells) {
 }
 
 /// What findSeams needs beside the map itself: what each view shows on the cells it reaches, and the largest cut.
-std::uint64_t seamBytes(std::span<const PlacedGrid> views, const Grid& cells, const SeamOptions& options) {
+std::uint64_t seamBytes(std::span<const GridPlacement> views, const Grid& cells, const SeamOptions& options) {
   std::uint64_t kept = options.strokes.empty() ? 0 : cells.voxelCount();
   std::uint64_t largest = 0;
   std::vector<CellBox> boxes;
-  for (const PlacedGrid& view : views) boxes.push_back(boxOf(view, cells));
+  for (const GridPlacement& view : views) boxes.push_back(boxOf(view, cells));
   for (std::size_t n = 0; n < boxes.size(); ++n) {
     kept += boxes[n].count() *
             (2 + 1 + 1 +
@@ -222,7 +222,7 @@ Result<void> checkSeamOptions(const SeamOptions& options, std::size_t views) {
   return {};
 }
 
-Result<StitchForecast> forecastJoin(std::span<const PlacedGrid> views, const JoinOptions& options) {
+Result<StitchForecast> forecastJoin(std::span<const GridPlacement> views, const JoinOptions& options) {
   StitchOptions unlimited = options.grid;
   unlimited.maxBytes = UINT64_MAX;
   auto forecast = forecastStitch(views, unlimited);
@@ -235,7 +235,7 @@ Result<StitchForecast> forecastJoin(std::span<const PlacedGrid> views, const Joi
   if (options.seam.method == SeamMethod::feather) {
     std::uint64_t distances = 0;
     if (options.grid.featherWidth_mm > 0.0)
-      for (const PlacedGrid& view : views) distances += 4 * view.grid.voxelCount();
+      for (const GridPlacement& view : views) distances += 4 * view.grid.voxelCount();
     forecast->bytes = distances + blocks + threads * Joiner::scratchBytes(kTile, 1, cells, ratio);
   } else {
     const std::uint64_t joining = blocks + threads * Joiner::scratchBytes(kTile, views.size(), cells, ratio);

@@ -31,7 +31,7 @@ void addView(ViewPoints& points, const CharucoView& view, const CharucoBoard& bo
   }
 }
 
-struct FittedCamera {
+struct CameraFit {
   CameraModel model;
   std::vector<double> residuals_px;
   double focalSpread_px = 0.0;
@@ -53,12 +53,12 @@ double tippedShare(const std::vector<cv::Mat>& turns) {
   return static_cast<double>(tipped) / static_cast<double>(normals.size());
 }
 
-FittedCamera fitted(const ViewPoints& points, int width, int height) {
+CameraFit fitted(const ViewPoints& points, int width, int height) {
   cv::Mat camera, lens, inside, outside, perView;
   std::vector<cv::Mat> turns, places;
   int flags = 0;
   if (points.corners_mm.size() < kViewsForSixthOrder) flags |= cv::CALIB_FIX_K3;
-  FittedCamera found;
+  CameraFit found;
   CameraModel& model = found.model;
   model.rms_px = cv::calibrateCamera(points.corners_mm, points.corners_px, cv::Size(width, height), camera, lens, turns, places, inside,
                                      outside, perView, flags, cv::TermCriteria(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 60, 1e-9));
@@ -120,16 +120,16 @@ void judge(CameraCalibration& found, bool isTipped) {
     case Quality::usable:
       found.verdict =
           say<"The calibration can be used: the corners lie where they should to %1 pixel. Below half a pixel it would be good; more "
-              "pictures with the board tipped and in the corners of the picture help.">(hundredths(worst));
+              "images with the board tipped and in the corners of the image help.">(hundredths(worst));
       return;
     case Quality::bad:
       break;
   }
-  found.verdict = worst < 1.0 ? say<"The pictures do not tell the distance from the size; take more with the board tipped to all sides and "
+  found.verdict = worst < 1.0 ? say<"The images do not tell the distance from the size; take more with the board tipped to all sides and "
                                     "at other distances.">()
                               : say<"The calibration cannot be used: the corners lie %1 pixel off. Glue the board to something flat, hold "
                                     "it still, check its sizes, "
-                                    "and take the pictures again.">(hundredths(worst));
+                                    "and take the images again.">(hundredths(worst));
 }
 
 struct Calibrating {
@@ -137,7 +137,7 @@ struct Calibrating {
   const CharucoBoard& board;
   int width, height;
 
-  [[nodiscard]] FittedCamera from(const std::vector<bool>& isLeftOut) const {
+  [[nodiscard]] CameraFit from(const std::vector<bool>& isLeftOut) const {
     ViewPoints points;
     for (std::size_t n = 0; n < views.size(); ++n)
       if (!isLeftOut[n]) addView(points, views[n], board);
@@ -176,15 +176,15 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CharucoView>& views,
   }
   const auto tooFew = [&] {
     return failure(ErrorCode::badField,
-                   say<"There are %1 pictures of the board that can be used and at least %2 are needed; take more.">(usable, kFewestViews));
+                   say<"There are %1 images of the board that can be used and at least %2 are needed; take more.">(usable, kFewestViews));
   };
   if (usable < kFewestViews) return tooFew();
   const Calibrating calibrating{views, board, width, height};
   const std::vector<bool> unusable = leftOut;
   try {
     progress.report(say<"Finding the camera's model">(), 0.0);
-    FittedCamera fit = calibrating.from(leftOut);
-    // A picture in which the board moved or a corner was misread is far off the others.
+    CameraFit fit = calibrating.from(leftOut);
+    // An image in which the board moved or a corner was misread is far off the others.
     for (int round = 0; round < 2; ++round) {
       if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The calibration was stopped.">());
       const double limit_px = std::max(0.25, 3.0 * upperMedianOf(fit.residuals_px));
@@ -198,7 +198,7 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CharucoView>& views,
       if (!changed) break;
       fit = calibrating.from(leftOut);
     }
-    progress.report(say<"Checking it with pictures left out">(), 0.6);
+    progress.report(say<"Checking it with images left out">(), 0.6);
     if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The calibration was stopped.">());
     CameraCalibration found;
     found.model = fit.model;
@@ -211,10 +211,10 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CharucoView>& views,
       found.residuals_px.push_back(!leftOut[n] ? fit.residuals_px[kept++] : unusable[n] ? 0.0 : residualOf(fit.model, views[n], board));
     if (!std::isfinite(found.model.rms_px) || !(found.model.fx > 0.0)) return tooFew();
     judge(found, fit.tipped >= kFewestTipped);
-    progress.report(say<"Checking it with pictures left out">(), 1.0);
+    progress.report(say<"Checking it with images left out">(), 1.0);
     return found;
   } catch (const cv::Exception&) {
-    return failure(ErrorCode::badField, say<"No camera explains these pictures; take others, with the board tipped to all sides.">());
+    return failure(ErrorCode::badField, say<"No camera explains these images; take others, with the board tipped to all sides.">());
   }
 }
 

@@ -22,27 +22,27 @@ constexpr double kShownTipped_rad = 0.26;  // 15 degrees
 constexpr double kSharpest_px = 2.0;       // spread of edges above which corners are washed out
 constexpr double kStill_pxPerS = 25.0;     // and a rolling shutter shears the board
 
-cv::Mat pictureOf(ImageView<const std::uint8_t> grey) {
+cv::Mat imageOf(ImageView<const std::uint8_t> grey) {
   return {grey.height, grey.width, CV_8UC1, const_cast<std::uint8_t*>(grey.data), static_cast<std::size_t>(grey.stride)};
 }
 
-struct FoundBoard {
+struct BoardDetection {
   CharucoView view;
   std::vector<std::vector<cv::Point2f>> markers;
 };
 
-FoundBoard foundBoard(ImageView<const std::uint8_t> grey, const CharucoBoard& board) {
-  FoundBoard found;
+BoardDetection foundBoard(ImageView<const std::uint8_t> grey, const CharucoBoard& board) {
+  BoardDetection found;
   const auto made = charucoOf(board);
   if (made == nullptr) return found;
   std::vector<int> ids;
   try {
-    const cv::Mat picture = pictureOf(grey);
-    cv::aruco::detectMarkers(picture, made->dictionary, found.markers, ids);
+    const cv::Mat image = imageOf(grey);
+    cv::aruco::detectMarkers(image, made->dictionary, found.markers, ids);
     if (ids.empty()) return found;
     std::vector<cv::Point2f> corners;
     std::vector<int> cornerIds;
-    cv::aruco::interpolateCornersCharuco(found.markers, ids, picture, made, corners, cornerIds);
+    cv::aruco::interpolateCornersCharuco(found.markers, ids, image, made, corners, cornerIds);
     for (std::size_t n = 0; n < cornerIds.size(); ++n) {
       found.view.ids.push_back(cornerIds[n]);
       found.view.corners_px.emplace_back(corners[n].x, corners[n].y);
@@ -53,11 +53,11 @@ FoundBoard foundBoard(ImageView<const std::uint8_t> grey, const CharucoBoard& bo
   return found;
 }
 
-/// What a picture adds to others: where the board is, how large, how tipped.
+/// What an image adds to others: where the board is, how large, how tipped.
 struct ViewShape {
-  glm::dvec2 middle{0.0};  ///< in parts of the picture
-  double size = 0.0;       ///< square root of the share of the picture that the board takes
-  double aside_rad = 0.0;  ///< tipped about the picture's upright axis
+  glm::dvec2 middle{0.0};  ///< in parts of the image
+  double size = 0.0;       ///< square root of the share of the image that the board takes
+  double aside_rad = 0.0;  ///< tipped about the image's upright axis
   double upDown_rad = 0.0;
 };
 
@@ -101,7 +101,7 @@ std::optional<ViewShape> shapeOf(const CharucoView& view, const CharucoBoard& bo
 }
 
 /// Spread of the edges of the largest markers.
-double edgeSpread(ImageView<const std::uint8_t> grey, const FoundBoard& found, int cells) {
+double edgeSpread(ImageView<const std::uint8_t> grey, const BoardDetection& found, int cells) {
   const CameraModel guess = assumedCamera(grey.width, grey.height);
   static const auto light = lightOfGreys(2.2);
   std::vector<double> spreads;
@@ -149,7 +149,7 @@ struct CalibrationCollector::State {
   CharucoView last;
   double last_s = -1e9;
 
-  /// Pixels a second that the corners have moved by since the last picture, median; nothing known: 0.
+  /// Pixels a second that the corners have moved by since the last image, median; nothing known: 0.
   [[nodiscard]] double speed(const CharucoView& view, double time_s) const {
     std::vector<double> moved;
     for (std::size_t n = 0; n < view.ids.size(); ++n) {
@@ -181,7 +181,7 @@ CalibrationCollector::Look CalibrationCollector::look(ImageView<const std::uint8
   State& state = *state_;
   EW_EXPECTS(grey.width == state.width && grey.height == state.height);
   Look look;
-  const FoundBoard found = foundBoard(grey, state.board);
+  const BoardDetection found = foundBoard(grey, state.board);
   look.view = found.view;
   if (look.view.ids.size() < kFewestSeenCorners) return look;
   const double speed_pxPerS = state.speed(look.view, time_s);
@@ -232,7 +232,7 @@ CalibrationCoverage CalibrationCollector::coverage() const {
   covered.next = [&]() -> Message {
     if (covered.views == 0) return say<"Hold the chess board so that the camera sees all of it, and keep it still.">();
     if (covered.straight < 1) return say<"Hold the board straight towards the camera.">();
-    if (covered.near < 2) return say<"Bring the board nearer, until it fills more than half of the picture.">();
+    if (covered.near < 2) return say<"Bring the board nearer, until it fills more than half of the image.">();
     if (covered.left < 2) return say<"Tip the board to the left by about thirty degrees.">();
     if (covered.right < 2) return say<"Tip the board to the right by about thirty degrees.">();
     if (covered.up < 2) return say<"Tip the upper edge of the board away from the camera or towards it.">();
@@ -240,12 +240,12 @@ CalibrationCoverage CalibrationCollector::coverage() const {
     const auto emptiest = std::min_element(covered.corners.begin(), covered.corners.end()) - covered.corners.begin();
     if (covered.corners[static_cast<std::size_t>(emptiest)] < 6) {
       const auto row = emptiest / CalibrationCoverage::kColumns, column = emptiest % CalibrationCoverage::kColumns;
-      if (row == 0 && column < 2) return say<"Move the board to the upper left of the picture.">();
-      if (row == 0) return say<"Move the board to the upper right of the picture.">();
-      if (row == 2 && column < 2) return say<"Move the board to the lower left of the picture.">();
-      if (row == 2) return say<"Move the board to the lower right of the picture.">();
-      if (column < 2) return say<"Move the board to the left of the picture.">();
-      return say<"Move the board to the right of the picture.">();
+      if (row == 0 && column < 2) return say<"Move the board to the upper left of the image.">();
+      if (row == 0) return say<"Move the board to the upper right of the image.">();
+      if (row == 2 && column < 2) return say<"Move the board to the lower left of the image.">();
+      if (row == 2) return say<"Move the board to the lower right of the image.">();
+      if (column < 2) return say<"Move the board to the left of the image.">();
+      return say<"Move the board to the right of the image.">();
     }
     if (covered.views < kWantedViews) return say<"Hold the board at other distances and angles.">();
     return say<"That is enough; the camera can be calibrated.">();

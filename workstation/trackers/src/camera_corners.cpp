@@ -13,15 +13,15 @@ constexpr double kProfileStep_px = 0.5;
 constexpr double kLeastContrast = 4.0;  // light between black and white, below which noise decides where an edge is; of 255
 constexpr double kFarthest_px = 7.0;    // that a side is looked for from where the detector says
 
-/// A picture, and the light its greys stand for.
-struct LitPicture {
+/// An image, and the light its greys stand for.
+struct LitImage {
   ImageView<const std::uint8_t> grey;
   const std::array<float, 256>& light;
 
   [[nodiscard]] bool has(const glm::dvec2& p_px) const {
     return p_px.x >= 0.0 && p_px.y >= 0.0 && p_px.x < grey.width - 1 && p_px.y < grey.height - 1;
   }
-  /// Between the centres of four pixels of the picture.
+  /// Between the centres of four pixels of the image.
   [[nodiscard]] double at(const glm::dvec2& p_px) const {
     const int x = static_cast<int>(p_px.x), y = static_cast<int>(p_px.y);
     const auto fx = static_cast<float>(p_px.x - x), fy = static_cast<float>(p_px.y - y);
@@ -41,14 +41,13 @@ struct EdgePoint {
 /// A profile across a side, from dark inside to light outside.
 class EdgeProfile {
  public:
-  /// False where it leaves the picture.
-  bool read(const LitPicture& picture, const glm::dvec2& middle, const glm::dvec2& outward, double half_px) {
+  /// False where it leaves the image.
+  bool read(const LitImage& image, const glm::dvec2& middle, const glm::dvec2& outward, double half_px) {
     const int half = std::min(kMost, static_cast<int>(std::lround(half_px / kProfileStep_px)));
     count_ = 2 * half + 1;
     start_px_ = -half * kProfileStep_px;
-    if (!picture.has(middle + start_px_ * outward) || !picture.has(middle - start_px_ * outward)) return false;
-    for (int n = 0; n < count_; ++n)
-      values_[static_cast<std::size_t>(n)] = picture.at(middle + (start_px_ + n * kProfileStep_px) * outward);
+    if (!image.has(middle + start_px_ * outward) || !image.has(middle - start_px_ * outward)) return false;
+    for (int n = 0; n < count_; ++n) values_[static_cast<std::size_t>(n)] = image.at(middle + (start_px_ + n * kProfileStep_px) * outward);
     return true;
   }
   /// Where it rises most over a pixel.
@@ -155,18 +154,18 @@ MarkerSide sideBetween(const glm::dvec2& a, const glm::dvec2& b) {
   side.length_px = glm::distance(a, b);
   side.from = a;
   side.along = (b - a) / side.length_px;
-  side.outward = {side.along.y, -side.along.x};  // corners run clockwise in a picture whose y goes down
+  side.outward = {side.along.y, -side.along.x};  // corners run clockwise in an image whose y goes down
   return side;
 }
 
-/// The side as the picture roughly has it.
-std::optional<MarkerSide> nearerSide(const LitPicture& picture, const MarkerSide& side, double cell_px) {
+/// The side as the image roughly has it.
+std::optional<MarkerSide> nearerSide(const LitImage& image, const MarkerSide& side, double cell_px) {
   std::vector<glm::dvec2> points;
   EdgeProfile profile;
   constexpr int kSamples = 14;
   for (int n = 0; n < kSamples; ++n) {
     const glm::dvec2 middle = side.from + (0.1 + 0.8 * n / (kSamples - 1)) * side.length_px * side.along;
-    if (!profile.read(picture, middle, side.outward, std::clamp(0.9 * cell_px, 2.5, kFarthest_px))) continue;
+    if (!profile.read(image, middle, side.outward, std::clamp(0.9 * cell_px, 2.5, kFarthest_px))) continue;
     if (const auto at = profile.steepest()) points.push_back(middle + at->along_px * side.outward);
   }
   if (points.size() < kSamples / 2) return {};
@@ -176,16 +175,16 @@ std::optional<MarkerSide> nearerSide(const LitPicture& picture, const MarkerSide
   return sideBetween(onLine(side.from), onLine(side.from + side.length_px * side.along));
 }
 
-/// The lens turns no direction by more than a few degrees, so outwards in the picture is outwards among the rays.
+/// The lens turns no direction by more than a few degrees, so outwards in the image is outwards among the rays.
 double outwardSign(const SideLine& line, const glm::dvec2& outward) { return glm::dot(line.normal, outward) > 0.0 ? 1.0 : -1.0; }
 
-struct MeasuredSide {
+struct SideFit {
   SideLine line;  ///< of rays
   glm::dvec2 outward{0.0};
   double spread_px = 0.0;
 };
 
-std::optional<MeasuredSide> measuredSide(const LitPicture& picture, const CameraModel& model, const MarkerSide& side, double cell_px) {
+std::optional<SideFit> measuredSide(const LitImage& image, const CameraModel& model, const MarkerSide& side, double cell_px) {
   const int samples = std::clamp(static_cast<int>(0.6 * side.length_px), 12, 28);
   const double margin = std::clamp(2.5 / side.length_px, 0.06, 0.2);  // where the blurred corner begins
   std::vector<glm::dvec2> rays;
@@ -196,7 +195,7 @@ std::optional<MeasuredSide> measuredSide(const LitPicture& picture, const Camera
     std::optional<EdgePoint> at;
     // Ends alike on both sides of the edge cut off alike from a blurred one; so the profile is centred on what was found.
     for (int round = 0; round < 3; ++round) {
-      if (!profile.read(picture, middle, side.outward, std::clamp(0.55 * cell_px, 1.5, 4.0))) {
+      if (!profile.read(image, middle, side.outward, std::clamp(0.55 * cell_px, 1.5, 4.0))) {
         at.reset();
         break;
       }
@@ -212,14 +211,14 @@ std::optional<MeasuredSide> measuredSide(const LitPicture& picture, const Camera
   if (static_cast<int>(rays.size()) * 2 < samples) return {};
   const auto line = lineThrough(rays, 0.05 / model.fx);
   if (!line || line->points < 0.4 * samples) return {};
-  return MeasuredSide{*line, side.outward, spread / static_cast<double>(rays.size())};
+  return SideFit{*line, side.outward, spread / static_cast<double>(rays.size())};
 }
 
 }  // namespace
 
 std::optional<MarkerCorners> cornersByEdges(ImageView<const std::uint8_t> grey, const CameraModel& model,
                                             const std::array<glm::dvec2, 4>& about, int cells, const std::array<float, 256>& light) {
-  const LitPicture picture{grey, light};
+  const LitImage image{grey, light};
   std::array<MarkerSide, 4> sides;
   for (std::size_t n = 0; n < 4; ++n) {
     sides[n] = sideBetween(about[n], about[(n + 1) % 4]);
@@ -227,12 +226,12 @@ std::optional<MarkerCorners> cornersByEdges(ImageView<const std::uint8_t> grey, 
   }
   // A profile across a side runs along its neighbours.
   const auto cellAcross_px = [&](std::size_t n) { return std::min(sides[(n + 1) % 4].length_px, sides[(n + 3) % 4].length_px) / cells; };
-  std::array<MeasuredSide, 4> measured;
+  std::array<SideFit, 4> measured;
   MarkerCorners found;
   for (std::size_t n = 0; n < 4; ++n) {
-    const auto nearer = nearerSide(picture, sides[n], cellAcross_px(n));
+    const auto nearer = nearerSide(image, sides[n], cellAcross_px(n));
     if (!nearer) return {};
-    const auto side = measuredSide(picture, model, *nearer, cellAcross_px(n));
+    const auto side = measuredSide(image, model, *nearer, cellAcross_px(n));
     if (!side) return {};
     measured[n] = *side;
     found.across[n] = side->outward;

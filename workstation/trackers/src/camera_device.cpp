@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "camera_pictures.h"
+#include "camera_frames.h"
 #include "ew/core/guarded.h"
 #include "ew/core/order_statistics.h"
 
@@ -48,7 +48,7 @@ WhatToTrack whatToTrack(std::optional<CameraModel> model, const std::optional<Ma
   return what;
 }
 
-/// One thread takes pictures and keeps the newest alone, so that none waits behind another; a second one works on it.
+/// One thread takes images and keeps the newest alone, so that none waits behind another; a second one works on it.
 class Camera final : public CameraDevice {
  public:
   explicit Camera(const CameraSettings& settings)
@@ -64,20 +64,20 @@ class Camera final : public CameraDevice {
     news_ = std::move(callback);
   }
   [[nodiscard]] CameraView view() const override;
-  [[nodiscard]] GreyImage picture() const override;
+  [[nodiscard]] GreyImage image() const override;
   void setTracking(std::optional<CameraModel> model, std::optional<MarkerBody> probe, std::optional<MarkerBody> board,
                    const CameraTrackingOptions& options) override;
 
  private:
   void halt();
   void captureUntil(const std::stop_token& stopped);
-  void captureFrom(CameraPictures& pictures, const std::stop_token& stopped);
-  void hand(CameraPicture picture, const std::stop_token& stopped);
+  void captureFrom(CameraFrames& images, const std::stop_token& stopped);
+  void hand(CameraFrame image, const std::stop_token& stopped);
   void workUntil(const std::stop_token& stopped);
-  void work(const CameraPicture& picture);
-  [[nodiscard]] CameraSight look(const CameraPicture& picture);
+  void work(const CameraFrame& image);
+  [[nodiscard]] CameraSight look(const CameraFrame& image);
   void prepareTracker(const WhatToTrack& what, int width, int height);
-  void addReadings(const CameraPicture& picture, const CameraSight& sight);
+  void addReadings(const CameraFrame& image, const CameraSight& sight);
   void waitASecond(const std::stop_token& stopped);
 
   const CameraSettings settings_;
@@ -88,7 +88,7 @@ class Camera final : public CameraDevice {
 
   mutable std::mutex handover_;
   std::condition_variable_any handed_;
-  std::optional<CameraPicture> newest_;
+  std::optional<CameraFrame> newest_;
   bool isWorking_ = false;
   std::uint64_t leftOut_ = 0;
   std::deque<double> arrivals_s_;
@@ -98,7 +98,7 @@ class Camera final : public CameraDevice {
   cv::Mat whole_;
   double worked_s_ = -1e9;
   std::deque<double> processing_ms_, latency_ms_;
-  Message notTracking_;  ///< why pictures come and no poses
+  Message notTracking_;  ///< why images come and no poses
 
   std::mutex asked_;
   WhatToTrack what_;
@@ -113,7 +113,7 @@ class Camera final : public CameraDevice {
 void Camera::start() {
   const std::scoped_lock lock(running_);
   if (capturing_.joinable()) return;
-  // OpenCV's own threads would take the processors from the picture that is being formed; a frame needs half of one.
+  // OpenCV's own threads would take the processors from the image that is being formed; a frame needs half of one.
   cv::setNumThreads(1);
   queue_.begin();
   queue_.setLink(LinkState::connecting, say<"The camera is being opened.">());
@@ -155,13 +155,13 @@ void Camera::waitASecond(const std::stop_token& stopped) {
 void Camera::captureUntil(const std::stop_token& stopped) {
   while (!stopped.stop_requested()) {
     Message why;
-    const auto pictures = openPictures(settings_, why);
-    if (pictures == nullptr) {
+    const auto images = openImages(settings_, why);
+    if (images == nullptr) {
       queue_.setLink(LinkState::connecting, why);
       waitASecond(stopped);
       continue;
     }
-    auto captured = guarded([&] { captureFrom(*pictures, stopped); },
+    auto captured = guarded([&] { captureFrom(*images, stopped); },
                             [](const Thrown& thrown) {
                               return Error{ErrorCode::internal, say<"The camera's driver failed: %1.">(thrown.reason), {}};
                             });
@@ -174,54 +174,54 @@ void Camera::captureUntil(const std::stop_token& stopped) {
   }
 }
 
-void Camera::captureFrom(CameraPictures& pictures, const std::stop_token& stopped) {
+void Camera::captureFrom(CameraFrames& images, const std::stop_token& stopped) {
   bool isConnected = false;
   while (!stopped.stop_requested()) {
-    CameraPicture picture;
-    switch (pictures.next(picture)) {
-      case CameraPictures::Next::notYet:
+    CameraFrame image;
+    switch (images.next(image)) {
+      case CameraFrames::Next::notYet:
         continue;
-      case CameraPictures::Next::over:
+      case CameraFrames::Next::over:
         queue_.setLink(LinkState::ended, say<"The film has come to its end.">());
         return;
-      case CameraPictures::Next::lost:
+      case CameraFrames::Next::lost:
         queue_.setLink(LinkState::connecting,
-                       say<"The camera has stopped delivering pictures; check its cable. It is tried again every second.">());
+                       say<"The camera has stopped delivering images; check its cable. It is tried again every second.">());
         return;
-      case CameraPictures::Next::picture:
+      case CameraFrames::Next::image:
         break;
     }
-    if (!isConnected) queue_.setLink(LinkState::connected, say<"The camera delivers pictures.">());
+    if (!isConnected) queue_.setLink(LinkState::connected, say<"The camera delivers images.">());
     isConnected = true;
-    hand(std::move(picture), stopped);
+    hand(std::move(image), stopped);
   }
 }
 
-void Camera::hand(CameraPicture picture, const std::stop_token& stopped) {
+void Camera::hand(CameraFrame image, const std::stop_token& stopped) {
   std::unique_lock lock(handover_);
   if (isFilm(settings_.device) && settings_.filmSpeed <= 0.0)  // nothing is left out
     handed_.wait(lock, stopped, [&] { return !newest_ && !isWorking_; });
   if (newest_) ++leftOut_;
-  arrivals_s_.push_back(picture.arrival_s);
-  while (arrivals_s_.size() > 2 && picture.arrival_s - arrivals_s_.front() > 1.0) arrivals_s_.pop_front();
-  newest_ = std::move(picture);
+  arrivals_s_.push_back(image.arrival_s);
+  while (arrivals_s_.size() > 2 && image.arrival_s - arrivals_s_.front() > 1.0) arrivals_s_.pop_front();
+  newest_ = std::move(image);
   handed_.notify_all();
 }
 
 void Camera::workUntil(const std::stop_token& stopped) {
   for (;;) {
-    CameraPicture picture;
+    CameraFrame image;
     {
       std::unique_lock lock(handover_);
       if (!handed_.wait(lock, stopped, [&] { return newest_.has_value(); })) return;
-      picture = *std::move(newest_);
+      image = *std::move(newest_);
       newest_.reset();
       isWorking_ = true;
     }
     const auto worked =
-        guarded([&] { work(picture); },
+        guarded([&] { work(image); },
                 [](const Thrown& thrown) {
-                  return Error{ErrorCode::internal, say<"A picture of the camera could not be worked on: %1.">(thrown.reason), {}};
+                  return Error{ErrorCode::internal, say<"An image of the camera could not be worked on: %1.">(thrown.reason), {}};
                 });
     if (!worked) queue_.refuse(worked.error().message);
     {
@@ -256,39 +256,38 @@ void Camera::prepareTracker(const WhatToTrack& what, int width, int height) {
   notTracking_ = why;
 }
 
-CameraSight Camera::look(const CameraPicture& picture) {
+CameraSight Camera::look(const CameraFrame& image) {
   {
     const std::scoped_lock lock(asked_);
-    if (what_.revision != revision_ || size_ != picture.grey.size()) prepareTracker(what_, picture.grey.cols, picture.grey.rows);
+    if (what_.revision != revision_ || size_ != image.grey.size()) prepareTracker(what_, image.grey.cols, image.grey.rows);
   }
   if (!tracker_) return {};
-  return tracker_->track({picture.grey.data, picture.grey.cols, picture.grey.rows, static_cast<std::ptrdiff_t>(picture.grey.step)},
-                         picture.stamp_s);
+  return tracker_->track({image.grey.data, image.grey.cols, image.grey.rows, static_cast<std::ptrdiff_t>(image.grey.step)}, image.stamp_s);
 }
 
-void Camera::addReadings(const CameraPicture& picture, const CameraSight& sight) {
+void Camera::addReadings(const CameraFrame& image, const CameraSight& sight) {
   for (std::size_t n = 0; n < sight.bodies.size(); ++n) {
     const BodySight& body = sight.bodies[n];
     ToolReading reading;
     reading.tool = names_[n];
     reading.toolToTracker = renamed<frame::Tracker, frame::Tool>(body.bodyToCamera);
     reading.state = body.state;
-    reading.device_s = picture.stamp_s;
-    reading.arrival_s = picture.arrival_s;
+    reading.device_s = image.stamp_s;
+    reading.arrival_s = image.arrival_s;
     reading.spread_mm = body.spread_mm;
     reading.spread_rad = body.spread_rad;
     queue_.add(std::move(reading));
   }
 }
 
-void Camera::work(const CameraPicture& picture) {
+void Camera::work(const CameraFrame& image) {
   const double begun_s = steadyNow_s();
-  CameraSight sight = look(picture);
-  addReadings(picture, sight);
+  CameraSight sight = look(image);
+  addReadings(image, sight);
   const double done_s = steadyNow_s();
-  const double scale = std::min(1.0, static_cast<double>(kPreviewWidth) / picture.grey.cols);
+  const double scale = std::min(1.0, static_cast<double>(kPreviewWidth) / image.grey.cols);
   cv::Mat preview;
-  cv::resize(picture.grey, preview, cv::Size(), scale, scale, cv::INTER_AREA);
+  cv::resize(image.grey, preview, cv::Size(), scale, scale, cv::INTER_AREA);
   std::uint64_t leftOut = 0;
   double frames_hz = 0.0;
   {
@@ -300,7 +299,7 @@ void Camera::work(const CameraPicture& picture) {
   {
     const std::scoped_lock lock(shown_);
     remember(processing_ms_, 1e3 * (done_s - begun_s));
-    remember(latency_ms_, 1e3 * (done_s - picture.taken_s));
+    remember(latency_ms_, 1e3 * (done_s - image.taken_s));
     view_.preview = imageOf(preview);
     view_.scale = scale;
     ++view_.number;
@@ -313,9 +312,9 @@ void Camera::work(const CameraPicture& picture) {
     view_.processing_ms = medianOrZero(processing_ms_);
     view_.latency_ms = medianOrZero(latency_ms_);
     view_.leftOut = leftOut;
-    view_.width = picture.grey.cols;
-    view_.height = picture.grey.rows;
-    whole_ = picture.grey;
+    view_.width = image.grey.cols;
+    view_.height = image.grey.rows;
+    whole_ = image.grey;
     worked_s_ = done_s;
   }
   if (!tracker_ && news_) news_();  // readings say it themselves
@@ -326,7 +325,7 @@ DeviceStatus Camera::status() const {
   const std::scoped_lock lock(shown_);
   if (status.link == LinkState::connected || status.link == LinkState::silent) {
     if (!notTracking_.empty()) status.sentence = notTracking_;
-    // Without a model there are pictures and no readings.
+    // Without a model there are images and no readings.
     if (status.link == LinkState::silent && steadyNow_s() - worked_s_ < 0.5) status.link = LinkState::connected;
   }
   return status;
@@ -337,7 +336,7 @@ CameraView Camera::view() const {
   return view_;
 }
 
-GreyImage Camera::picture() const {
+GreyImage Camera::image() const {
   cv::Mat latest;
   {
     const std::scoped_lock lock(shown_);

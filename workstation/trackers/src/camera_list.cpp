@@ -12,8 +12,8 @@
 namespace ew {
 namespace {
 
-/// A camera has nodes beside the one for pictures: for descriptions of them, for its controls. True also where it cannot be asked.
-bool deliversPictures(const std::string& device) {
+/// A camera has nodes beside the one for images: for descriptions of them, for its controls. True also where it cannot be asked.
+bool deliversImages(const std::string& device) {
   const int node = ::open(device.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   if (node < 0) return true;
   v4l2_capability can{};
@@ -32,7 +32,7 @@ std::vector<CameraHere> camerasHere() {
   std::error_code ignored;
   for (fs::directory_iterator at("/sys/class/video4linux", ignored), end; !ignored && at != end; at.increment(ignored)) {
     CameraHere camera{"/dev/" + at->path().filename().string(), {}};
-    if (!fs::exists(camera.device, ignored) || !deliversPictures(camera.device)) continue;
+    if (!fs::exists(camera.device, ignored) || !deliversImages(camera.device)) continue;
     std::ifstream name(at->path() / "name");
     std::getline(name, camera.name);
     if (camera.name.empty()) camera.name = camera.device;

@@ -12,8 +12,8 @@ cv::Ptr<cv::aruco::Dictionary> markerDictionary(const std::string& name) {
   return cv::aruco::getPredefinedDictionary(opencvDictionary(name));
 }
 
-std::vector<FoundMarker> findMarkers(const cv::Mat& grey, const SearchRegion& region, const cv::Ptr<cv::aruco::Dictionary>& dictionary,
-                                     double smallest_px) {
+std::vector<MarkerDetection> findMarkers(const cv::Mat& grey, const SearchRegion& region, const cv::Ptr<cv::aruco::Dictionary>& dictionary,
+                                         double smallest_px) {
   const cv::Rect at = region.at & cv::Rect(0, 0, grey.cols, grey.rows);
   if (at.width < 24 || at.height < 24) return {};
   cv::Mat part = grey(at);
@@ -24,7 +24,7 @@ std::vector<FoundMarker> findMarkers(const cv::Mat& grey, const SearchRegion& re
   }
   const double scale = region.step;
   const auto parameters = cv::aruco::DetectorParameters::create();
-  // Thresholds against the mean around each pixel, in two sizes: light may fall off across the picture, and a window smaller than a
+  // Thresholds against the mean around each pixel, in two sizes: light may fall off across the image, and a window smaller than a
   // marker's border leaves its outline.
   parameters->adaptiveThreshWinSizeMin = 5;
   parameters->adaptiveThreshWinSizeMax = 21;
@@ -46,7 +46,7 @@ std::vector<FoundMarker> findMarkers(const cv::Mat& grey, const SearchRegion& re
   } catch (const cv::Exception&) {
     return {};  // its contours of a very small part
   }
-  std::vector<FoundMarker> found(ids.size());
+  std::vector<MarkerDetection> found(ids.size());
   for (std::size_t m = 0; m < ids.size(); ++m) {
     found[m].id = ids[m];
     for (std::size_t n = 0; n < 4; ++n) {  // pixels have their centres at whole numbers, whatever their size

@@ -10,17 +10,17 @@ namespace ew {
 namespace {
 
 /// The lens alone: where a ray (X/Z, Y/Z) leaves it, and how that changes with the ray.
-struct BentRay {
+struct RayDistortion {
   glm::dvec2 at{0.0};
   glm::dmat2 slope{1.0};  ///< columns: by x, by y
 };
 
-BentRay bent(const std::array<double, 5>& k, const glm::dvec2& ray) {
+RayDistortion bent(const std::array<double, 5>& k, const glm::dvec2& ray) {
   const auto [k1, k2, p1, p2, k3] = k;
   const double x = ray.x, y = ray.y, r2 = x * x + y * y;
   const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
   const double radialSlope = k1 + r2 * (2.0 * k2 + 3.0 * r2 * k3);  // by r2
-  BentRay found;
+  RayDistortion found;
   found.at = {x * radial + 2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x), y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y};
   const double across = 2.0 * x * y * radialSlope + 2.0 * p1 * x + 2.0 * p2 * y;
   found.slope[0] = {radial + 2.0 * x * x * radialSlope + 2.0 * p1 * y + 6.0 * p2 * x, across};
@@ -39,7 +39,7 @@ glm::dvec2 rayThrough(const CameraModel& model, const glm::dvec2& p_px) {
   const glm::dvec2 wanted{(p_px.x - model.cx) / model.fx, (p_px.y - model.cy) / model.fy};
   glm::dvec2 ray = wanted;
   for (int step = 0; step < 12; ++step) {
-    const BentRay now = bent(model.distortion, ray);
+    const RayDistortion now = bent(model.distortion, ray);
     const glm::dvec2 miss = wanted - now.at;
     if (glm::dot(miss, miss) < 1e-22) break;
     // Beyond the fold of a strong lens the slope turns over; a plain step leads back to where the lens maps one to one.
@@ -61,11 +61,10 @@ CameraModel assumedCamera(int width, int height, double fieldOfView_rad) {
 Result<CameraModel> scaledTo(const CameraModel& model, int width, int height) {
   const double byWidth = static_cast<double>(width) / model.width, byHeight = static_cast<double>(height) / model.height;
   if (std::abs(byWidth / byHeight - 1.0) > 0.01)
-    return failure(
-        ErrorCode::badField,
-        say<"The camera was calibrated with pictures of %1 x %2 pixels and now delivers %3 x %4, which is another part of what it "
-            "sees; calibrate it again at this size.">(model.width, model.height, width, height),
-        {{"found", std::to_string(width) + " x " + std::to_string(height)}});
+    return failure(ErrorCode::badField,
+                   say<"The camera was calibrated with images of %1 x %2 pixels and now delivers %3 x %4, which is another part of what it "
+                       "sees; calibrate it again at this size.">(model.width, model.height, width, height),
+                   {{"found", std::to_string(width) + " x " + std::to_string(height)}});
   CameraModel scaled = model;
   scaled.width = width;
   scaled.height = height;

@@ -42,13 +42,13 @@ std::optional<Transform<frame::Camera, frame::Tool>> plainPose(const cv::Mat& gr
 std::vector<std::optional<Transform<frame::Camera, frame::Tool>>> plainBoardPoses(const CameraModel& model,
                                                                                   const std::vector<MarkerBody>& bodies,
                                                                                   ImageView<const std::uint8_t> grey) {
-  const cv::Mat picture(grey.height, grey.width, CV_8UC1, const_cast<std::uint8_t*>(grey.data), static_cast<std::size_t>(grey.stride));
+  const cv::Mat image(grey.height, grey.width, CV_8UC1, const_cast<std::uint8_t*>(grey.data), static_cast<std::size_t>(grey.stride));
   const cv::Mat camera = (cv::Mat_<double>(3, 3) << model.fx, 0.0, model.cx, 0.0, model.fy, model.cy, 0.0, 0.0, 1.0);
   const cv::Mat lens(1, 5, CV_64F, const_cast<double*>(model.distortion.data()));
   std::vector<std::optional<Transform<frame::Camera, frame::Tool>>> poses;
   for (const MarkerBody& body : bodies) {
     try {
-      poses.push_back(plainPose(picture, body, camera, lens));
+      poses.push_back(plainPose(image, body, camera, lens));
     } catch (const cv::Exception&) {
       poses.emplace_back();
     }

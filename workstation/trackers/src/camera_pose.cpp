@@ -18,7 +18,7 @@ constexpr double kMostMisfit = 400.0;     // of one corner: from 20 standard dev
 constexpr double kHuber = 3.0;            // standard deviations
 constexpr int kMostFaces = 3;             // of a cuboid are in sight
 // How far a folded and glued face lies off its place (standard deviation). Without it a cube 0.3 mm too thick at 600 mm would be taken
-// for one 3 mm nearer, since what stands beside each other weighs more in the picture than the size of a marker.
+// for one 3 mm nearer, since what stands beside each other weighs more in the image than the size of a marker.
 constexpr double kPaper_mm = 0.2;
 
 using Pose6 = std::array<double, 6>;  // angle axis, translation in mm
@@ -59,7 +59,7 @@ struct CornerResidual {
 };
 
 /// What is known of a number beforehand.
-struct KnownResidual {
+struct PriorResidual {
   double value, deviation;
   template <class T>
   bool operator()(const T* number, T* residual) const {
@@ -68,7 +68,7 @@ struct KnownResidual {
   }
 };
 ceres::CostFunction* known(double value, double deviation) {
-  return new ceres::AutoDiffCostFunction<KnownResidual, 1, 1>(new KnownResidual{value, deviation});
+  return new ceres::AutoDiffCostFunction<PriorResidual, 1, 1>(new PriorResidual{value, deviation});
 }
 
 double spreadOf(const MarkerObservation& seen) { return std::hypot(kCornerFloor_px, seen.spread_px); }

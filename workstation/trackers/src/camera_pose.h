@@ -47,7 +47,7 @@ struct BodyEstimate {
   MarkerBleed bleed;                         ///< as it is known now
 };
 
-/// The pose of a body from corners of its markers, by the picture alone.
+/// The pose of a body from corners of its markers, by the image alone.
 /// @param focal_px     what turns rays to pixels
 /// @param at_body      where the spread is asked for, mm
 /// @param before       the last pose, one more place to begin from

@@ -23,7 +23,7 @@ constexpr double kFastest_radPerS = 3.0;     // that a probe is turned
 constexpr double kHarmlessAngle_rad = 0.03;  // two poses that near do not make a flip
 constexpr double kMisread_rad = 0.6;         // that one marker alone turned a probe beyond what a hand does: it was read as another one
 
-/// What is kept of a body from one picture to the next.
+/// What is kept of a body from one image to the next.
 struct BodyMemory {
   glm::dmat4 bodyToCamera{1.0};
   double seen_s = -1e9;  ///< last live
@@ -42,7 +42,7 @@ bool isFlatSquare(const Marker& marker) {
   return std::abs(glm::distance(c[0], c[2]) - std::sqrt(2.0) * side) < slack && glm::distance(c[0] + c[2], c[1] + c[3]) < 2.0 * slack;
 }
 
-/// Whether the squares inside of measured corners are those of the marker. The detector reads small markers from a picture of half the
+/// Whether the squares inside of measured corners are those of the marker. The detector reads small markers from an image of half the
 /// size, and a thumb over one can leave what another one looks like: a pose from that is sure and wrong.
 bool showsSquares(ImageView<const std::uint8_t> grey, const std::array<glm::dvec2, 4>& corners_px, const MarkerSquares& squares) {
   const auto& c = corners_px;
@@ -98,7 +98,7 @@ struct CameraTracker::State {
   [[nodiscard]] std::optional<SearchRegion> regionOf(const TrackedBody& each, double time_s) const;
   [[nodiscard]] std::vector<MarkerSight> find(const cv::Mat& grey, const std::vector<SearchRegion>& where) const;
   [[nodiscard]] std::optional<MarkerCorners> measured(const cv::Mat& grey, const MarkerSight& found) const;
-  void trackBody(const cv::Mat& picture, std::size_t index, std::vector<MarkerSight*> found, CameraSight& sight, double time_s);
+  void trackBody(const cv::Mat& image, std::size_t index, std::vector<MarkerSight*> found, CameraSight& sight, double time_s);
   void learnBleed(const BodySight& sight, const BodyEstimate& estimate, double time_s);
   void judge(BodySight& sight, const BodyEstimate& estimate, const BodyMemory& memory, double time_s) const;
   void chooseOfTwo(BodySight& sight, const BodyEstimate& estimate, const BodyMemory& memory, double since_s) const;
@@ -134,7 +134,7 @@ std::optional<SearchRegion> CameraTracker::State::regionOf(const TrackedBody& ea
   return SearchRegion{at, smallest_px > 44.0 && smallest_px < 1e8 ? 2 : 1};
 }
 
-/// Around every body that was seen just now; the whole picture where one was not, and from time to time.
+/// Around every body that was seen just now; the whole image where one was not, and from time to time.
 std::vector<SearchRegion> CameraTracker::State::regions(double time_s, const cv::Mat& grey, bool& whole) {
   std::vector<SearchRegion> found;
   if (options.followsRegions && time_s - searched_s < options.searchEvery_s) {
@@ -166,7 +166,7 @@ std::vector<MarkerSight> CameraTracker::State::find(const cv::Mat& grey, const s
   std::set<std::pair<int, int>> known;
   for (const std::string& name : dictionaries)
     for (const SearchRegion& region : where)
-      for (const FoundMarker& found : findMarkers(grey, region, markerDictionary(name), options.smallestMarker_px))
+      for (const MarkerDetection& found : findMarkers(grey, region, markerDictionary(name), options.smallestMarker_px))
         for (std::size_t b = 0; b < bodies.size(); ++b) {
           const int body = static_cast<int>(b);
           if (bodies[b].body.dictionary != name || !bodies[b].byId.contains(found.id) || !known.emplace(body, found.id).second) continue;
@@ -199,7 +199,7 @@ std::optional<MarkerCorners> CameraTracker::State::measured(const cv::Mat& grey,
   return cornersByEdges({grey.data, grey.cols, grey.rows, static_cast<std::ptrdiff_t>(grey.step)}, model, found.corners_px, cells, light);
 }
 
-/// Whether an estimate may be shown. A wrong "yes" jumps the picture; a wrong "no" costs a frame.
+/// Whether an estimate may be shown. A wrong "yes" jumps the image; a wrong "no" costs a frame.
 void CameraTracker::State::judge(BodySight& sight, const BodyEstimate& estimate, const BodyMemory& memory, double time_s) const {
   sight.bodyToCamera.matrix = estimate.best.bodyToCamera;
   sight.markers = estimate.markers;
@@ -212,18 +212,18 @@ void CameraTracker::State::judge(BodySight& sight, const BodyEstimate& estimate,
     sight.state = TrackingState::outOfRange;
   const double since_s = time_s - memory.seen_s;
   if (estimate.other) chooseOfTwo(sight, estimate, memory, since_s);
-  // A thumb can leave what another marker looks like, to the last square. Alone it has nobody to contradict it but the picture before.
+  // A thumb can leave what another marker looks like, to the last square. Alone it has nobody to contradict it but the image before.
   if (sight.state == TrackingState::live && estimate.markers == 1 && since_s < kForgetAfter_s &&
       angleBetween(memory.bodyToCamera, sight.bodyToCamera.matrix) > kFastest_radPerS * since_s + kMisread_rad)
     sight.state = TrackingState::outOfRange;
 }
 
-/// Of the two poses that explain a flat view, the one that the picture tells, or the picture before.
+/// Of the two poses that explain a flat view, the one that the image tells, or the image before.
 void CameraTracker::State::chooseOfTwo(BodySight& sight, const BodyEstimate& estimate, const BodyMemory& memory, double since_s) const {
   sight.flipRatio = estimate.other->rms_px / std::max(0.02, estimate.best.rms_px);
   if (estimate.otherAngle_rad < kHarmlessAngle_rad) return;
   if (estimate.evidence > kCertain && sight.flipRatio > kCertainRatio) return;
-  // The picture does not tell. The pose before does, where it is fresh, lies at one of the two, and the two are far apart: they meet and
+  // The image does not tell. The pose before does, where it is fresh, lies at one of the two, and the two are far apart: they meet and
   // part where a face is seen straight on, and there nobody knows any more which one goes on.
   sight.ambiguous = true;
   // Nor does anybody where a fast hand could have gone from one to the other meanwhile.
@@ -253,7 +253,7 @@ void CameraTracker::State::learnBleed(const BodySight& sight, const BodyEstimate
   bleed_s = time_s;
 }
 
-/// Motion in the picture, and the body as it was seen last.
+/// Motion in the image, and the body as it was seen last.
 void CameraTracker::State::remember(TrackedBody& each, BodySight& sight, const std::vector<MarkerSight>& markers, int body,
                                     double time_s) const {
   BodyMemory& memory = each.memory;
@@ -273,7 +273,7 @@ void CameraTracker::State::remember(TrackedBody& each, BodySight& sight, const s
       bottom = std::max(bottom, at.y);
     }
   }
-  // Where nobody said how long a picture is read, most sensors take about two thirds of a frame at 30 Hz.
+  // Where nobody said how long an image is read, most sensors take about two thirds of a frame at 30 Hz.
   const double readout_s = options.readout_s > 0.0 ? options.readout_s : 0.022;
   if (bottom > top) sight.skew_px = sight.speed_pxPerS * readout_s * (bottom - top) / model.height;
   memory.bodyToCamera = sight.bodyToCamera.matrix;
@@ -325,9 +325,9 @@ CameraTracker::~CameraTracker() = default;
 
 CameraSight CameraTracker::track(ImageView<const std::uint8_t> grey, double time_s) {
   EW_EXPECTS(grey.width == state_->model.width && grey.height == state_->model.height);
-  const cv::Mat picture(grey.height, grey.width, CV_8UC1, const_cast<std::uint8_t*>(grey.data), static_cast<std::size_t>(grey.stride));
+  const cv::Mat image(grey.height, grey.width, CV_8UC1, const_cast<std::uint8_t*>(grey.data), static_cast<std::size_t>(grey.stride));
   CameraSight sight;
-  sight.markers = state_->find(picture, state_->regions(time_s, picture, sight.searchedWhole));
+  sight.markers = state_->find(image, state_->regions(time_s, image, sight.searchedWhole));
   sight.bodies.resize(state_->bodies.size());
   std::vector<std::vector<MarkerSight*>> ofBodies(state_->bodies.size());
   for (MarkerSight& marker : sight.markers) ofBodies[static_cast<std::size_t>(marker.body)].push_back(&marker);
@@ -335,13 +335,13 @@ CameraSight CameraTracker::track(ImageView<const std::uint8_t> grey, double time
   std::iota(order.begin(), order.end(), 0u);
   // The body with most markers tells most of the bleed.
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ofBodies[a].size() > ofBodies[b].size(); });
-  for (const std::size_t body : order) state_->trackBody(picture, body, ofBodies[body], sight, time_s);
+  for (const std::size_t body : order) state_->trackBody(image, body, ofBodies[body], sight, time_s);
   sight.bleed = state_->bleed.value;
   sight.bleedSpread = state_->bleed.deviation;
   return sight;
 }
 
-void CameraTracker::State::trackBody(const cv::Mat& picture, std::size_t index, std::vector<MarkerSight*> found, CameraSight& sight,
+void CameraTracker::State::trackBody(const cv::Mat& image, std::size_t index, std::vector<MarkerSight*> found, CameraSight& sight,
                                      double time_s) {
   if (found.empty()) return;
   TrackedBody& each = bodies[index];
@@ -349,11 +349,11 @@ void CameraTracker::State::trackBody(const cv::Mat& picture, std::size_t index, 
   const auto size = [](const MarkerSight* marker) { return glm::distance(marker->corners_px[0], marker->corners_px[2]); };
   std::stable_sort(found.begin(), found.end(), [&](const auto* p, const auto* q) { return size(p) > size(q); });
   if (static_cast<int>(found.size()) > options.mostMarkers) found.resize(static_cast<std::size_t>(std::max(1, options.mostMarkers)));
-  const ImageView<const std::uint8_t> seenGrey{picture.data, picture.cols, picture.rows, static_cast<std::ptrdiff_t>(picture.step)};
+  const ImageView<const std::uint8_t> seenGrey{image.data, image.cols, image.rows, static_cast<std::ptrdiff_t>(image.step)};
   std::vector<MarkerObservation> seen;
   std::vector<MarkerSight*> measuredOf;
   for (MarkerSight* marker : found) {
-    const auto corners = measured(picture, *marker);
+    const auto corners = measured(image, *marker);
     if (!corners || !showsSquares(seenGrey, corners->corners_px, each.squares.at(marker->id))) continue;
     marker->corners_px = corners->corners_px;
     marker->blur_px = *std::max_element(corners->edgeSpread_px.begin(), corners->edgeSpread_px.end());

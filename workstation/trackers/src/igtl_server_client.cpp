@@ -19,7 +19,7 @@ IgtlServerClient::IgtlServerClient(Descriptor socket) : socket_(std::move(socket
   constexpr double kPatience_s =
       300.0;  // a viewer that is held in a debugger or loads a large file takes nothing for a while and is no fault
   prepareSocket(socket_.number(), kPatience_s);
-  // What the system queues behind ours makes pictures late; it holds one image of common size.
+  // What the system queues behind ours makes images late; it holds one image of common size.
   const int size = 512 * 1024;
   ::setsockopt(socket_.number(), SOL_SOCKET, SO_SNDBUF, &size, sizeof size);
 }

@@ -31,34 +31,34 @@ class UntilStopped final : public Progress {
   const std::atomic<bool>& ends_;
 };
 
-struct RecordedMoment {
+struct SequenceMoment {
   double time_s = 0.0;  ///< since the first, never falls
   std::vector<ToolReading> readings;
 };
 
-TrackingState stateOf(const NamedTransform& transform) {
+TrackingState stateOf(const FrameTransform& transform) {
   if (!checkRigid(transform.matrix)) return TrackingState::invalid;
   if (transform.status == PoseStatus::ok) return TrackingState::live;
   // PLUS writes the identity for a tool that its tracker did not see, and keeps the last matrix of one it read badly.
   return transform.status == PoseStatus::missing || transform.matrix == glm::dmat4(1.0) ? TrackingState::outOfView : TrackingState::invalid;
 }
 
-std::vector<RecordedMoment> momentsOf(const Sequence& sequence) {
-  std::vector<RecordedMoment> moments;
+std::vector<SequenceMoment> momentsOf(const Sequence& sequence) {
+  std::vector<SequenceMoment> moments;
   double time_s = 0.0, first_s = std::numeric_limits<double>::quiet_NaN();
   for (const SequenceFrame& frame : sequence.frames) {
     if (frame.time_s && !(first_s == first_s)) first_s = *frame.time_s - time_s;
     // A clock that was set back in the middle goes on as if a frame had passed.
     const double wanted_s = frame.time_s ? *frame.time_s - first_s : -1.0;
     if (!moments.empty()) time_s = wanted_s >= time_s ? wanted_s : time_s + kFramePeriod_s;
-    RecordedMoment moment{time_s, {}};
-    for (const NamedTransform& transform : frame.transforms)
+    SequenceMoment moment{time_s, {}};
+    for (const FrameTransform& transform : frame.transforms)
       moment.readings.push_back(
           {.tool = transform.from + "To" + transform.to, .toolToTracker = {transform.matrix}, .state = stateOf(transform)});
     if (!moment.readings.empty()) moments.push_back(std::move(moment));
   }
   if (!moments.empty())
-    for (double begins_s = moments.front().time_s; RecordedMoment & moment : moments) moment.time_s -= begins_s;
+    for (double begins_s = moments.front().time_s; SequenceMoment & moment : moments) moment.time_s -= begins_s;
   return moments;
 }
 
@@ -120,7 +120,7 @@ class RecordingAsTracker final : public SequenceDevice {
     return !changed_.wait_for(lock, std::chrono::duration<double>(length_s), [this] { return ends_.load(); });
   }
 
-  Result<std::vector<RecordedMoment>> read() {
+  Result<std::vector<SequenceMoment>> read() {
     UntilStopped progress(ends_);
     const auto sequence = readSequence(settings_.file, progress);
     if (!sequence) return passOn(sequence.error());
@@ -131,7 +131,7 @@ class RecordingAsTracker final : public SequenceDevice {
   }
 
   void run() {
-    std::vector<RecordedMoment> moments;
+    std::vector<SequenceMoment> moments;
     while (!ends_) {
       auto read = this->read();
       if (read) {
@@ -159,8 +159,8 @@ class RecordingAsTracker final : public SequenceDevice {
   }
 
   /// Once through. @return false when it is to end
-  bool play(const std::vector<RecordedMoment>& moments, double before_s) {
-    for (const RecordedMoment& moment : moments) {
+  bool play(const std::vector<SequenceMoment>& moments, double before_s) {
+    for (const SequenceMoment& moment : moments) {
       if (!waitUntil(before_s + moment.time_s)) return false;
       {
         const std::scoped_lock lock(mutex_);

@@ -16,25 +16,25 @@ namespace {
 constexpr double kMargin_mm = 8.0;  // what home printers leave white
 constexpr double kScale_mm = 100.0;
 
-using LaidQuad = std::array<glm::dvec2, 4>;
+using PageQuad = std::array<glm::dvec2, 4>;
 
 /// A net on its page: panels and tabs by the page's coordinates.
-struct LaidNet {
+struct NetPlacement {
   std::vector<glm::dmat4> poses;
   glm::dvec2 at{0.0};  ///< of the net's origin on the page
   [[nodiscard]] glm::dvec2 onPage(std::size_t panel, const glm::dvec2& p) const {
     const glm::dvec2 net(poses[panel] * glm::dvec4(p, 0.0, 1.0));
     return {at.x + net.x, at.y - net.y};
   }
-  [[nodiscard]] LaidQuad onPage(std::size_t panel, const LaidQuad& quad) const {
-    LaidQuad made{};
+  [[nodiscard]] PageQuad onPage(std::size_t panel, const PageQuad& quad) const {
+    PageQuad made{};
     for (std::size_t n = 0; n < 4; ++n) made[n] = onPage(panel, quad[n]);
     return made;
   }
 };
 
-std::vector<LaidQuad> piecesOf(const PaperBody& body, const LaidNet& net) {
-  std::vector<LaidQuad> pieces;
+std::vector<PageQuad> piecesOf(const PaperBody& body, const NetPlacement& net) {
+  std::vector<PageQuad> pieces;
   for (std::size_t n = 0; n < body.panels.size(); ++n) pieces.push_back(net.onPage(n, outlineOf(body.panels[n])));
   for (const PaperSeam& seam : body.seams) {
     const auto n = static_cast<std::size_t>(seam.panel);
@@ -43,7 +43,7 @@ std::vector<LaidQuad> piecesOf(const PaperBody& body, const LaidNet& net) {
   return pieces;
 }
 
-void addLines(const PaperBody& body, const LaidNet& net, SheetPage& page) {
+void addLines(const PaperBody& body, const NetPlacement& net, SheetPage& page) {
   std::set<std::pair<std::size_t, PaperEdge>> folded;
   for (std::size_t n = 0; n < body.panels.size(); ++n)
     if (body.panels[n].on >= 0) {
@@ -58,12 +58,12 @@ void addLines(const PaperBody& body, const LaidNet& net, SheetPage& page) {
     if (!(seam.tab_mm > 0.0)) continue;
     const auto n = static_cast<std::size_t>(seam.panel);
     tabbed.insert({n, seam.edge});
-    const LaidQuad tab = tabOf(body.panels[n], seam.edge, seam.tab_mm);
+    const PageQuad tab = tabOf(body.panels[n], seam.edge, seam.tab_mm);
     for (std::size_t side = 0; side < 3; ++side) add(SheetLine::Kind::cut, n, tab[side], tab[side + 1]);
   }
   for (std::size_t n = 0; n < body.panels.size(); ++n) {
     const PaperPanel& panel = body.panels[n];
-    const LaidQuad outline = outlineOf(panel);
+    const PageQuad outline = outlineOf(panel);
     for (std::size_t side = 0; side < 4; ++side) {
       const std::pair key{n, static_cast<PaperEdge>(side)};
       const bool isFold = folded.contains(key);
@@ -81,7 +81,7 @@ void addLines(const PaperBody& body, const LaidNet& net, SheetPage& page) {
   }
 }
 
-void addMarkers(const PaperBody& body, const LaidNet& net, SheetPage& page) {
+void addMarkers(const PaperBody& body, const NetPlacement& net, SheetPage& page) {
   for (std::size_t n = 0; n < body.panels.size(); ++n)
     for (const PaperMarker& marker : body.panels[n].markers) page.markers.push_back({marker.id, net.onPage(n, cornersOf(marker))});
   if (!body.chess) return;
@@ -92,7 +92,7 @@ void addMarkers(const PaperBody& body, const LaidNet& net, SheetPage& page) {
     const double inset = each.marker < 0 ? 0.0 : border;
     const glm::dvec2 low(each.column * square + inset, (board.rows - 1 - each.row) * square + inset);
     const double side = square - 2.0 * inset;
-    const LaidQuad quad = net.onPage(0, LaidQuad{low + glm::dvec2(0.0, side), low + glm::dvec2(side), low + glm::dvec2(side, 0.0), low});
+    const PageQuad quad = net.onPage(0, PageQuad{low + glm::dvec2(0.0, side), low + glm::dvec2(side), low + glm::dvec2(side, 0.0), low});
     if (each.marker < 0)
       page.blackSquares.push_back(quad);
     else
@@ -100,7 +100,7 @@ void addMarkers(const PaperBody& body, const LaidNet& net, SheetPage& page) {
   }
 }
 
-void addNotes(const PaperBody& body, const LaidNet& net, std::string_view language, SheetPage& page) {
+void addNotes(const PaperBody& body, const NetPlacement& net, std::string_view language, SheetPage& page) {
   for (std::size_t n = 0; n < body.panels.size(); ++n) {
     const PaperPanel& panel = body.panels[n];
     if (panel.note.in(language).empty()) continue;
@@ -162,9 +162,9 @@ bool addWords(const PaperBody& body, SheetSpace& space, std::string_view languag
 }
 
 std::optional<SheetPage> layOutOn(const PaperBody& body, const glm::dvec2& size_mm, std::string_view language) {
-  LaidNet net{panelPoses(body, 0.0), glm::dvec2(0.0)};
+  NetPlacement net{panelPoses(body, 0.0), glm::dvec2(0.0)};
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-std::numeric_limits<double>::infinity());
-  for (const LaidQuad& piece : piecesOf(body, net))
+  for (const PageQuad& piece : piecesOf(body, net))
     for (const glm::dvec2& p : piece) {
       low = glm::min(low, p);
       high = glm::max(high, p);
@@ -178,7 +178,7 @@ std::optional<SheetPage> layOutOn(const PaperBody& body, const glm::dvec2& size_
   page.netAt = net.at;
   page.dictionary = body.dictionary;
   SheetSpace space(glm::dvec2(kMargin_mm), room);
-  for (const LaidQuad& piece : piecesOf(body, net)) space.occupy(piece, 2.0);
+  for (const PageQuad& piece : piecesOf(body, net)) space.occupy(piece, 2.0);
   if (!addWords(body, space, language, page)) return std::nullopt;
   if (!body.chess) addLines(body, net, page);  // a chess board ends with its squares
   addMarkers(body, net, page);

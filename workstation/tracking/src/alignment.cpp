@@ -43,14 +43,14 @@ double freeTurn_rad(const Touches& touches, int without, double touch_mm) {
 }
 
 /// What leaving out each landmark leaves of the sum of squares, and the best two to leave out.
-struct LeftOut {
+struct LeaveOneOut {
   std::vector<double> squares;
   int best = -1;
   int second = -1;
 };
 
-LeftOut leaveOut(const Touches& touches) {
-  LeftOut left;
+LeaveOneOut leaveOut(const Touches& touches) {
+  LeaveOneOut left;
   for (int n = 0; n < touches.size(); ++n) left.squares.push_back(squaresAt(touches, fitRigid(touches.tracker, touches.world, n), n));
   const auto at = [&](int n) { return n < 0 ? std::numeric_limits<double>::infinity() : left.squares[static_cast<std::size_t>(n)]; };
   for (int n = 0; n < touches.size(); ++n) {
@@ -100,15 +100,15 @@ double varianceFor(double leftSquares, int freedoms, double touch_mm) {
   return std::min(leftSquares / freedoms, kNoisiest * kNoisiest * touch2);
 }
 
-Message quoted(const TouchedLandmark& landmark, std::size_t number) {
+Message quoted(const LandmarkTouch& landmark, std::size_t number) {
   return landmark.name.empty() ? say<"landmark %1">(number + 1) : verbatim("'" + landmark.name + "'");
 }
 
 /// Of four and more: the one that has to be left out, nobody, or a contradiction.
-void judgeMany(std::span<const TouchedLandmark> touched, const Touches& touches, const AlignmentOptions& options, Alignment& found) {
+void judgeMany(std::span<const LandmarkTouch> touched, const Touches& touches, const AlignmentOptions& options, Alignment& found) {
   const int n = touches.size();
   const double all = squaresAt(touches, fitRigid(touches.tracker, touches.world), -1);
-  const LeftOut left = leaveOut(touches);
+  const LeaveOneOut left = leaveOut(touches);
   const double best = left.squares[static_cast<std::size_t>(left.best)], second = left.squares[static_cast<std::size_t>(left.second)];
   const int freedoms = 3 * n - 9;
   const double variance = varianceFor(best, freedoms, options.touch_mm);
@@ -153,7 +153,7 @@ bool isTouchable(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfini
 
 }  // namespace
 
-Result<Alignment> alignByLandmarks(std::span<const TouchedLandmark> touched, const AlignmentOptions& options) {
+Result<Alignment> alignByLandmarks(std::span<const LandmarkTouch> touched, const AlignmentOptions& options) {
   if (!(options.touch_mm > 0.0) || !std::isfinite(options.touch_mm))
     return failure(ErrorCode::badField, say<"The precision of touching must be a number above 0 mm.">(), {{"field", "touch_mm"}});
   Touches touches;
@@ -198,7 +198,7 @@ Result<Alignment> alignByLandmarks(std::span<const TouchedLandmark> touched, con
   }
   if (found.expected_mm > kWorstExpected_mm) {
     found.verdict = AlignmentVerdict::cannotTell;
-    Message close = say<"The landmarks lie too close together: the picture could be off by %1 mm. Touch more of them, farther apart.">(
+    Message close = say<"The landmarks lie too close together: the image could be off by %1 mm. Touch more of them, farther apart.">(
         tenths(found.expected_mm));
     found.sentence = found.sentence.empty() ? close : joined({found.sentence, close});
   } else if (found.sentence.empty()) {

@@ -25,11 +25,11 @@ Message degrees(double angle_rad) { return tenths(angle_rad / kDegree); }
 
 /// The directions a of the tool and b of the tracker with R_i a = b as nearly as can be: the largest singular pair of the mean rotation,
 /// since sum |R_i a - b|^2 = 2 N (1 - b . mean(R) a).
-struct KeptDirection {
+struct AxisPair {
   Vector3d tool, tracker;
 };
 
-KeptDirection keptDirection(const std::vector<TurnAndPlace>& readings) {
+AxisPair keptDirection(const std::vector<TurnAndPlace>& readings) {
   Matrix3d mean = Matrix3d::Zero();
   for (const TurnAndPlace& reading : readings) mean += reading.turn;
   const Eigen::JacobiSVD<Matrix3d> svd(mean, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -37,7 +37,7 @@ KeptDirection keptDirection(const std::vector<TurnAndPlace>& readings) {
 }
 
 /// How far the tool was turned about the kept direction: the widest gap-free range that its readings cover.
-double turnedAbout(const std::vector<TurnAndPlace>& readings, const KeptDirection& kept) {
+double turnedAbout(const std::vector<TurnAndPlace>& readings, const AxisPair& kept) {
   const Vector3d across = kept.tool.unitOrthogonal();
   const Vector3d first = (readings.front().turn * across - kept.tracker * kept.tracker.dot(readings.front().turn * across)).normalized();
   std::vector<double> angles;
@@ -69,7 +69,7 @@ Result<FlatFace> flatFaceOf(std::span<const ToolReading> readings, const glm::dv
   if (!live) return passOn(live.error());
   // Moments when the face was not flat yet lean far; the direction is found again without them.
   std::vector<TurnAndPlace> used = *live;
-  KeptDirection kept = keptDirection(used);
+  AxisPair kept = keptDirection(used);
   for (int pass = 0; pass < 3; ++pass) {
     std::vector<double> leans;
     for (const TurnAndPlace& reading : *live) leans.push_back(std::acos(std::clamp(kept.tracker.dot(reading.turn * kept.tool), -1.0, 1.0)));

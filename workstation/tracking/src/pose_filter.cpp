@@ -27,7 +27,7 @@ constexpr double kFurthest_s = 0.05;
 constexpr double kUsualNoise_mm = 0.3, kUsualNoise_rad = 0.004;
 /// A filter that believes its readings entirely divides by nothing and trusts a bad one for ever.
 constexpr double kLeastNoise_mm = 0.005, kLeastNoise_rad = 5e-5;
-/// Below this noise a picture of half a millimetre a pixel does not show any jitter, so that nothing is worth any delay.
+/// Below this noise an image of half a millimetre a pixel does not show any jitter, so that nothing is worth any delay.
 constexpr double kUnseen_mm = 0.05, kUnseen_rad = 0.0009;
 
 bool isFinite(const PlaceAndTurn& p) {

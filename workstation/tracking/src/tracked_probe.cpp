@@ -17,8 +17,8 @@ namespace ew {
 
 namespace {
 
-using tracking::FrozenReadings;
-using tracking::ReferencedTool;
+using tracking::FreezeDetector;
+using tracking::ReferencePairing;
 using tracking::Stamped;
 
 constexpr double kReported_s = 2.0;
@@ -68,8 +68,8 @@ struct TrackedProbe::State {
   double steadyMinusScan_s = 0.0;
 
   TrackerClock clock;
-  FrozenReadings frozen;
-  ReferencedTool referenced;
+  FreezeDetector frozen;
+  ReferencePairing referenced;
   PoseFilter filter;
   std::string tool;               ///< that is used; empty: none was heard of
   std::optional<Stamped> latest;  ///< of the tool, in the reference, whatever its state
@@ -257,7 +257,7 @@ std::optional<ToolReading> TrackedProbe::reading(double time_s) const {
   const TrackingState state = s.update(time_s + s.steadyMinusScan_s, link);
   if (!s.latest) return std::nullopt;
   ToolReading reading = s.latest->reading;
-  // A bad reading that is bridged in the picture is none to calibrate with.
+  // A bad reading that is bridged in the image is none to calibrate with.
   if (state != TrackingState::live) reading.state = state;
   return reading;
 }

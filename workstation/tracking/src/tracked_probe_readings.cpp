@@ -7,7 +7,7 @@
 
 namespace ew::tracking {
 
-void FrozenReadings::add(const ToolReading& reading) {
+void FreezeDetector::add(const ToolReading& reading) {
   if (before_) {
     const bool sameStamp = std::isfinite(reading.device_s) && reading.device_s == before_->device_s;
     const bool sameNumbers = reading.toolToTracker == before_->toolToTracker;
@@ -21,7 +21,7 @@ void FrozenReadings::add(const ToolReading& reading) {
   before_ = reading;
 }
 
-void FrozenReadings::learn(const ToolReading& reading) {
+void FreezeDetector::learn(const ToolReading& reading) {
   constexpr double kShare = 0.02;
   const bool repeats = sameNumbers_ > 0;
   // A long row is what is judged; it must not become what is usual meanwhile.
@@ -35,7 +35,7 @@ void FrozenReadings::learn(const ToolReading& reading) {
   if (++steps_ > 60 && turnsBack_ < -0.25) isNoisy_ = true;
 }
 
-bool FrozenReadings::isFrozen(double after_s) const {
+bool FreezeDetector::isFrozen(double after_s) const {
   if (sameStamp_ > 0 && latest_s_ - stampSince_s_ >= after_s) return true;
   if (!isNoisy_ || sameNumbers_ < 5 || latest_s_ - numbersSince_s_ < after_s) return false;
   return sameNumbers_ * std::log(std::clamp(repeats_, 0.02, 0.999)) < std::log(1e-9);
@@ -55,7 +55,7 @@ bool isRigidState(TrackingState state) { return state == TrackingState::live || 
 
 }  // namespace
 
-void ReferencedTool::add(const Stamped& reading, bool isReference) {
+void ReferencePairing::add(const Stamped& reading, bool isReference) {
   if (!isReference) return keepNewest(tools_, reading);
   latestReference_ = reading;
   if (reading.reading.state != TrackingState::live) return;
@@ -64,7 +64,7 @@ void ReferencedTool::add(const Stamped& reading, bool isReference) {
   while (references_.size() > 2 && reading.measured_s - references_.front().measured_s > 2.0) references_.pop_front();
 }
 
-std::optional<Transform<frame::Tracker, frame::Tool>> ReferencedTool::referenceAt(double measured_s, double staleAfter_s) const {
+std::optional<Transform<frame::Tracker, frame::Tool>> ReferencePairing::referenceAt(double measured_s, double staleAfter_s) const {
   if (references_.empty()) return std::nullopt;
   const auto after = std::lower_bound(references_.begin(), references_.end(), measured_s,
                                       [](const Stamped& each, double t) { return each.measured_s < t; });
@@ -78,7 +78,7 @@ std::optional<Transform<frame::Tracker, frame::Tool>> ReferencedTool::referenceA
   return transformOf<frame::Tool>(between(placeOf(poseOf(before)), placeOf(poseOf(*after)), share));
 }
 
-std::vector<Stamped> ReferencedTool::take(double now_s, bool needsReference, double staleAfter_s) {
+std::vector<Stamped> ReferencePairing::take(double now_s, bool needsReference, double staleAfter_s) {
   std::vector<Stamped> ready;
   while (!tools_.empty()) {
     Stamped& tool = tools_.front();

@@ -19,7 +19,7 @@ struct Stamped {
 /// proof. The same numbers under new stamps are none by themselves: a recording, a simulated tracker or one that rounds does so when it
 /// rests. They count for a source alone that was seen to have noise of its own (steps that turn back, as white noise's do) and to repeat
 /// itself so seldom that a row like this one comes by chance in one of a thousand million.
-class FrozenReadings {
+class FreezeDetector {
  public:
   void add(const ToolReading& reading);
   /// @param after_s how long it has to go on
@@ -39,7 +39,7 @@ class FrozenReadings {
 };
 
 /// Brings readings of a tool together with those of the reference of the same moment: toolToReference.
-class ReferencedTool {
+class ReferencePairing {
  public:
   void add(const Stamped& reading, bool isReference);
   /// The tool's readings whose reference is known by now, in the reference's frame, oldest first. The state of one whose reference is not

@@ -32,11 +32,11 @@ class LineIcon final : public QIconEngine {
   }
 
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-    QPixmap picture(size);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
+    QPixmap image(size);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
     paint(&painter, QRect(QPoint(0, 0), size), mode, state);
-    return picture;
+    return image;
   }
 
   [[nodiscard]] QIconEngine* clone() const override { return new LineIcon(svg_, colour_); }

@@ -113,13 +113,13 @@ SaveFile dated(SaveFile asked) {
   return asked;
 }
 
-ShownSources::ShownSources(QWidget& window, Ask ask) : QObject(&window), ask_(std::move(ask)) {}
+DisplaySources::DisplaySources(QWidget& window, Ask ask) : QObject(&window), ask_(std::move(ask)) {}
 
-std::vector<std::filesystem::path> ShownSources::around(const QWidget* widget) {
+std::vector<std::filesystem::path> DisplaySources::around(const QWidget* widget) {
   std::vector<std::filesystem::path> all;
   for (const QObject* at = widget; at != nullptr; at = at->parent())
     for (const QObject* child : at->children())
-      if (const auto* sources = dynamic_cast<const ShownSources*>(child)) {
+      if (const auto* sources = dynamic_cast<const DisplaySources*>(child)) {
         const auto some = sources->ask_();
         all.insert(all.end(), some.begin(), some.end());
       }
@@ -146,7 +146,7 @@ QString askSaveFile(QWidget* parent, const SaveFile& asked) {
     const QStringList there = thereAlready(asked, file);
     if (there.isEmpty()) return file;
     proposal = file;
-    auto sources = ShownSources::around(parent);
+    auto sources = DisplaySources::around(parent);
     sources.insert(sources.end(), asked.madeFrom.begin(), asked.madeFrom.end());
     if (const QString why = whyKept(asked, sources, there); !why.isEmpty()) {
       if (!asksForAnother(parent, asked.title, why)) return {};

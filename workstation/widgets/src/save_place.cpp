@@ -50,8 +50,8 @@ QString datedName(const QString& proposal, const QStringList& endings, const QDa
 
 QString folderForSaving(const QStringList& endings, const QSettings& settings) {
   if (const QString last = settings.value(keyOf(endings)).toString(); !last.isEmpty() && QFileInfo(last).isDir()) return last;
-  const bool isPicture = endings.contains(QStringLiteral(".png"), Qt::CaseInsensitive);
-  for (const auto place : {isPicture ? QStandardPaths::PicturesLocation : QStandardPaths::DocumentsLocation,
+  const bool isImage = endings.contains(QStringLiteral(".png"), Qt::CaseInsensitive);
+  for (const auto place : {isImage ? QStandardPaths::PicturesLocation : QStandardPaths::DocumentsLocation,
                            QStandardPaths::DocumentsLocation, QStandardPaths::HomeLocation})
     if (const QString folder = QStandardPaths::writableLocation(place); !folder.isEmpty() && QFileInfo(folder).isDir()) return folder;
   return QStandardPaths::writableLocation(QStandardPaths::HomeLocation);

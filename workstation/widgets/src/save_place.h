@@ -15,7 +15,7 @@ namespace ew {
 /// @param endings that can be written; the longest that `proposal` has is its ending, else all behind the last dot is
 [[nodiscard]] QString datedName(const QString& proposal, const QStringList& endings, const QDateTime& when);
 
-/// The folder in which a question begins where to save a kind of file: the one that was used last for it, at first the user's pictures or
+/// The folder in which a question begins where to save a kind of file: the one that was used last for it, at first the user's images or
 /// documents. @param endings that can be written; the first names the kind
 [[nodiscard]] QString folderForSaving(const QStringList& endings, const QSettings& settings);
 /// @param file that was chosen, with its folder

@@ -18,17 +18,17 @@ constexpr const char* kTextSize = "ewTextSize_percent";
 constexpr int kUsualSize_percent = 100;
 
 /// What a held size is called among a widget's properties, and what it sets.
-struct HeldSize {
+struct SizeProperty {
   const char* property;
   void (QWidget::*set)(int);
 };
 
-constexpr HeldSize kWidth{"heldWidth_px", &QWidget::setFixedWidth};
-constexpr HeldSize kHeight{"heldHeight_px", &QWidget::setFixedHeight};
-constexpr HeldSize kLeastWidth{"heldLeastWidth_px", &QWidget::setMinimumWidth};
-constexpr HeldSize kLeastHeight{"heldLeastHeight_px", &QWidget::setMinimumHeight};
+constexpr SizeProperty kWidth{"heldWidth_px", &QWidget::setFixedWidth};
+constexpr SizeProperty kHeight{"heldHeight_px", &QWidget::setFixedHeight};
+constexpr SizeProperty kLeastWidth{"heldLeastWidth_px", &QWidget::setMinimumWidth};
+constexpr SizeProperty kLeastHeight{"heldLeastHeight_px", &QWidget::setMinimumHeight};
 
-void hold(QWidget& widget, const HeldSize& size, int px) {
+void hold(QWidget& widget, const SizeProperty& size, int px) {
   widget.setProperty(size.property, px);
   (widget.*size.set)(scaled(px));
 }
@@ -105,7 +105,7 @@ void keepTextSize(int percent) {
 
 void setHeldSizes() {
   for (QWidget* each : QApplication::allWidgets()) {
-    for (const HeldSize& size : {kWidth, kHeight, kLeastWidth, kLeastHeight}) {
+    for (const SizeProperty& size : {kWidth, kHeight, kLeastWidth, kLeastHeight}) {
       const QVariant px = each->property(size.property);
       if (px.isValid()) (each->*size.set)(scaled(px.toInt()));
     }

@@ -92,19 +92,19 @@ void LessonScores::scoreAll() {
   if (folders.empty()) return;
   scoring_ = true;
   Q_EMIT changed();
-  auto scored = std::make_shared<std::vector<AssessedAttempt>>();
+  auto scored = std::make_shared<std::vector<AttemptAssessment>>();
   host_.jobs().start(
       tr("Scoring the attempts").toStdString(),
       [scored, folders](Progress& progress) -> Result<void> {
         *scored = assess(folders, libraryFolder(), {.threads = 1}, progress);
-        for (const AssessedAttempt& each : *scored)
+        for (const AttemptAssessment& each : *scored)
           if (each.problem) return passOn(*each.problem);
         return {};
       },
       [this, scored, alive = std::weak_ptr(alive_)](const Result<void>& done) {
         if (alive.expired()) return;
         scoring_ = false;
-        for (AssessedAttempt& each : *scored)
+        for (AttemptAssessment& each : *scored)
           if (each.score) records_.scores.insert_or_assign(each.folder, std::move(*each.score));
         if (!done && done.error().code != ErrorCode::cancelled) host_.window().warn(words(done.error()).toStdString(), "review scores");
         Q_EMIT changed();

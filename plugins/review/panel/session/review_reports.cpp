@@ -40,7 +40,7 @@ struct ReportWork {
   Result<ReportDocument> made(Progress& progress) const {
     const fs::path library = libraryFolder();
     AttemptResults results(library);
-    std::vector<ReportedAttempt> read;
+    std::vector<ReportAttempt> read;
     for (const fs::path& folder : attempts) {
       if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
       progress.report(say<"Reading attempts">(), static_cast<double>(read.size()) / static_cast<double>(attempts.size()));
@@ -51,7 +51,7 @@ struct ReportWork {
     auto codes = Pseudonyms::ofLibrary(library);
     if (!codes) return passOn(codes.error());
     const Attempt& first = read.front().attempt;
-    const ReportedLesson lesson = readReportedLesson(first.caseId, first.lessonId, library, options);
+    const ReportLesson lesson = readReportedLesson(first.caseId, first.lessonId, library, options);
     if (isOfClass) return classReport(read, lesson, *codes, {}, options);
     return attemptReport(read.front(), lesson, *codes, options);
   }

@@ -19,7 +19,7 @@ LessonName lessonOf(const Attempt& attempt) { return {attempt.caseId, attempt.le
 Error stoppedBefore() { return {ErrorCode::cancelled, say<"Scoring was stopped before this attempt.">(), {}}; }
 
 /// The name of everything that goes into a score. A recording that is not there has a name, too.
-Result<std::string> keyOf(const AssessedAttempt& one, const LessonGround& ground, const Progress& progress) {
+Result<std::string> keyOf(const AttemptAssessment& one, const LessonGround& ground, const Progress& progress) {
   ContentKey key;
   key.add("attempt score").add(kScoringVersion).add(ground.key).add(jsonOf(one.attempt).dump());
   for (const Metric& metric : metrics()) key.add(std::string_view(metric.id)).add(metric.version);
@@ -33,7 +33,7 @@ Result<std::string> keyOf(const AssessedAttempt& one, const LessonGround& ground
   return key.text();
 }
 
-void scoreOne(AssessedAttempt& one, const Result<std::shared_ptr<const LessonGround>>& ground, const AssessOptions& options,
+void scoreOne(AttemptAssessment& one, const Result<std::shared_ptr<const LessonGround>>& ground, const AssessOptions& options,
               Progress& progress) {
   if (!ground) {
     one.problem = ground.error();
@@ -69,20 +69,20 @@ void scoreOne(AssessedAttempt& one, const Result<std::shared_ptr<const LessonGro
 
 }  // namespace
 
-std::vector<AssessedAttempt> assess(const std::vector<fs::path>& folders, const fs::path& library, const AssessOptions& options,
-                                    Progress& progress) {
-  std::vector<AssessedAttempt> all;
+std::vector<AttemptAssessment> assess(const std::vector<fs::path>& folders, const fs::path& library, const AssessOptions& options,
+                                      Progress& progress) {
+  std::vector<AttemptAssessment> all;
   all.reserve(folders.size());
   Grounds grounds;
   PartOfProgress reading(progress, 0.0, 0.2), scoring(progress, 0.2, 1.0);
   for (const fs::path& folder : folders) {
-    AssessedAttempt& one = all.emplace_back();
+    AttemptAssessment& one = all.emplace_back();
     one.folder = folder;
     if (reading.cancelRequested()) {
       one.problem = stoppedBefore();
       continue;
     }
-    auto kept = KeptAttempt::open(folder);
+    auto kept = AttemptFolder::open(folder);
     if (!kept) {
       one.problem = kept.error();
       continue;
@@ -96,10 +96,10 @@ std::vector<AssessedAttempt> assess(const std::vector<fs::path>& folders, const 
   }
   QuietProgress quiet(scoring);
   forEachTask(static_cast<int>(all.size()), options.threads, scoring, say<"Scoring attempts">(), [&](int task) {
-    AssessedAttempt& one = all[static_cast<std::size_t>(task)];
+    AttemptAssessment& one = all[static_cast<std::size_t>(task)];
     if (!one.problem) scoreOne(one, grounds.at(lessonOf(one.attempt)), options, quiet);
   });
-  for (AssessedAttempt& one : all)
+  for (AttemptAssessment& one : all)
     if (!one.problem && !one.score) one.problem = stoppedBefore();
   return all;
 }

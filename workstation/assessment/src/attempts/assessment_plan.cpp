@@ -4,13 +4,13 @@
 #include <array>
 #include <set>
 
-#include "attempts/numbered_files.h"
+#include "attempts/series_files.h"
 #include "ew/assessment/metric.h"
 #include "ew/core/data_file.h"
 #include "ew/core/json_fields.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/instructor_log.h"
-#include "ew/library/moment.h"
+#include "ew/library/timestamp.h"
 
 namespace ew {
 namespace {
@@ -67,7 +67,7 @@ json decisionsOf(const AssessmentPlan& plan) {
   return decided;
 }
 
-Result<AssessmentPlan> readPlanFile(const assessment::NumberedFile& from) {
+Result<AssessmentPlan> readPlanFile(const assessment::SeriesFile& from) {
   const auto text = readTextFile(from.file, kLargestPlan_bytes);
   if (!text) return passOn(text.error());
   const auto document = parseJsonObject(*text, verbatim(from.file.filename().string()));
@@ -97,7 +97,7 @@ StepPlan& AssessmentPlan::at(const std::string& stepId) {
 }
 
 double weightOf(const LessonStep& step, const AssessmentPlan& plan) {
-  const bool isOnlySeen = std::holds_alternative<ReadTask>(step.task) || std::holds_alternative<WatchTask>(step.task);
+  const bool isOnlySeen = std::holds_alternative<ReadingTask>(step.task) || std::holds_alternative<WatchTask>(step.task);
   const StepPlan* decided = plan.of(step.id);
   return (decided != nullptr ? decided->weight : std::nullopt).value_or(isOnlySeen ? 0.0 : 1.0);
 }
@@ -117,7 +117,7 @@ Result<AssessmentPlan> planFromJson(const json& document) {
   plan.expertAttempt = fields.text("expert_attempt", std::string(), 0, 100);
   plan.passLevel = optionalNumber(fields, "pass_level", 1.0);
   plan.changedBy = fields.text("changed_by", std::string(), 0);
-  plan.changedAt = readMoment(fields, "changed_at", true).value_or(std::chrono::sys_seconds{});
+  plan.changedAt = readTimestamp(fields, "changed_at", true).value_or(std::chrono::sys_seconds{});
   std::set<std::string> seen;
   for (const JsonFields& each : fields.objects("steps", 0, kMostSteps)) {
     plan.steps.push_back(readStepPlan(each));
@@ -137,7 +137,7 @@ json jsonOf(const AssessmentPlan& plan) {
   if (!plan.expertAttempt.empty()) made["expert_attempt"] = plan.expertAttempt;
   if (plan.passLevel) made["pass_level"] = *plan.passLevel;
   if (!plan.changedBy.empty()) made["changed_by"] = plan.changedBy;
-  made["changed_at"] = momentText(plan.changedAt);
+  made["changed_at"] = timestampText(plan.changedAt);
   made["steps"] = json::array();
   for (const StepPlan& each : plan.steps) made["steps"].push_back(jsonOf(each));
   return made;

@@ -150,9 +150,9 @@ AttemptResult attemptResultOf(const Attempt& attempt, const Lesson* lesson, cons
   return result;
 }
 
-Result<TriedLesson> triedLessonOf(const std::string& caseId, const std::string& lessonId, const std::string& content,
-                                  const fs::path& library) {
-  std::optional<TriedLesson> now;
+Result<AttemptLesson> triedLessonOf(const std::string& caseId, const std::string& lessonId, const std::string& content,
+                                    const fs::path& library) {
+  std::optional<AttemptLesson> now;
   std::optional<Error> problem;
   for (const fs::path& folder : foldersOf(caseId, library)) {
     auto opened = loadCase(folder);
@@ -164,7 +164,7 @@ Result<TriedLesson> triedLessonOf(const std::string& caseId, const std::string& 
     for (const Lesson& each : *lessons) {
       if (each.id != lessonId) continue;
       const bool isAsTried = content.empty() || contentOf(each) == content;
-      if (isAsTried || !now) now = TriedLesson{*opened, each, isAsTried};
+      if (isAsTried || !now) now = AttemptLesson{*opened, each, isAsTried};
     }
     if (now && now->isAsTried) break;
   }
@@ -181,11 +181,11 @@ AttemptJudge attemptJudgeOf(const fs::path& library) {
   };
 }
 
-const TriedLesson* AttemptResults::lessonOf(const Attempt& attempt) {
+const AttemptLesson* AttemptResults::lessonOf(const Attempt& attempt) {
   const auto [at, isNew] = lessons_.try_emplace({attempt.caseId, attempt.lessonId, attempt.lessonContent});
   if (isNew)
     if (auto tried = triedLessonOf(attempt.caseId, attempt.lessonId, attempt.lessonContent, library_))
-      at->second = std::make_shared<const TriedLesson>(std::move(*tried));
+      at->second = std::make_shared<const AttemptLesson>(std::move(*tried));
   return at->second.get();
 }
 
@@ -197,7 +197,7 @@ const Result<AssessmentPlan>& AttemptResults::planOf(const Attempt& attempt) {
 }
 
 AttemptResult AttemptResults::of(const fs::path& folder, const Attempt& attempt) {
-  const TriedLesson* tried = lessonOf(attempt);
+  const AttemptLesson* tried = lessonOf(attempt);
   const Result<AssessmentPlan>& plan = planOf(attempt);
   return attemptResultOf(attempt, tried != nullptr ? &tried->lesson : nullptr, plan ? *plan : AssessmentPlan(), latestScore(folder));
 }

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "attempts/numbered_files.h"
+#include "attempts/series_files.h"
 #include "ew/core/data_file.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/message_json.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
-#include "ew/library/moment.h"
+#include "ew/library/timestamp.h"
 
 namespace ew {
 namespace {
@@ -60,7 +60,7 @@ json jsonOf(const StepScore& step) {
 
 fs::path scoresFolder(const fs::path& attemptFolder) { return attemptFolder / "scores"; }
 
-Result<AttemptScore> readScore(const assessment::NumberedFile& from) {
+Result<AttemptScore> readScore(const assessment::SeriesFile& from) {
   const auto text = readTextFile(from.file, kLargestScore_bytes);
   if (!text) return passOn(text.error());
   const auto document = parseJsonObject(*text, verbatim(from.file.filename().string()));
@@ -90,7 +90,7 @@ Result<AttemptScore> scoreFromJson(const json& document) {
   score.scoring = static_cast<int>(fields.whole("scoring", 1, 1'000'000));
   score.planRevision = static_cast<int>(fields.whole("plan", 0, 1'000'000));
   score.expertAttempt = fields.text("expert", std::string(), 0, 100);
-  score.madeAt = readMoment(fields, "made_at", true).value_or(std::chrono::sys_seconds{});
+  score.madeAt = readTimestamp(fields, "made_at", true).value_or(std::chrono::sys_seconds{});
   score.score = fields.number("score", 0.0, 1.0);
   score.passed = fields.flag("passed", false);
   if (fields.has("outcomes")) score.outcomes = static_cast<std::size_t>(fields.whole("outcomes", 0, 1'000'000));
@@ -104,7 +104,7 @@ Result<AttemptScore> scoreFromJson(const json& document) {
 json jsonOf(const AttemptScore& score) {
   json made = {{"format", kScoreFormat},   {"attempt", score.attemptId}, {"case", score.caseId},
                {"lesson", score.lessonId}, {"key", score.key},           {"program", score.program},
-               {"scoring", score.scoring}, {"plan", score.planRevision}, {"made_at", momentText(score.madeAt)},
+               {"scoring", score.scoring}, {"plan", score.planRevision}, {"made_at", timestampText(score.madeAt)},
                {"score", score.score},     {"passed", score.passed},     {"steps", json::array()}};
   if (score.outcomes) made["outcomes"] = *score.outcomes;
   if (score.wasFinished) made["finished"] = true;

@@ -6,7 +6,7 @@
 #include "ew/core/version.h"
 #include "ew/io/content_key.h"
 #include "ew/library/case.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/lesson_links.h"
 
 namespace ew {
@@ -31,7 +31,7 @@ bool needsLabels(const LessonTask& task, const CaseTruth& truth) {
 /// Puts a ground together, part by part.
 class GroundMaker {
  public:
-  GroundMaker(TriedLesson home, const fs::path& library, Progress& progress)
+  GroundMaker(AttemptLesson home, const fs::path& library, Progress& progress)
       : home_(std::move(home)), library_(library), progress_(progress) {
     made_->caseId = home_.home.id;
     made_->lesson = home_.lesson;
@@ -104,7 +104,7 @@ class GroundMaker {
 
   Result<void> addExpert() {
     if (!made_->plan.expertAttempt.empty()) {
-      const auto kept = KeptAttempt::open(attemptsFolder(library_) / made_->plan.expertAttempt);
+      const auto kept = AttemptFolder::open(attemptsFolder(library_) / made_->plan.expertAttempt);
       if (!kept)
         made_->notes.push_back(say<"The expert's attempt cannot be read; nothing is compared with it. %1">(kept.error().message));
       else
@@ -114,7 +114,7 @@ class GroundMaker {
     return {};
   }
 
-  void addExpertAttempt(const KeptAttempt& kept) {
+  void addExpertAttempt(const AttemptFolder& kept) {
     for (const LessonStep& step : home_.lesson.steps) {
       const StepOutcome* outcome = kept.attempt().outcomeOf(step.id);
       if (outcome == nullptr || outcome->recording.empty()) continue;
@@ -145,12 +145,12 @@ class GroundMaker {
     const auto ground = made_->caseOf(step);
     const std::string& scanned = step.caseId.empty() ? home_.home.id : step.caseId;
     if (task == nullptr || !ground || recording.caseId != scanned || made_->expertImages.contains(step.id)) return;
-    for (const ExpectedPlane& plane : ground->truth().planes)
+    for (const ReferencePlane& plane : ground->truth().planes)
       if (plane.name == task->target)
         if (auto image = bestImageOf(recording.log, plane, ground->truth())) made_->expertImages[step.id] = std::move(*image);
   }
 
-  TriedLesson home_;
+  AttemptLesson home_;
   const fs::path& library_;
   Progress& progress_;
   std::shared_ptr<LessonGround> made_ = std::make_shared<LessonGround>();

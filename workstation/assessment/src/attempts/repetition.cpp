@@ -82,9 +82,9 @@ Choice choiceOf(const std::vector<RepetitionState>& states, const std::vector<Ex
   return choice;
 }
 
-PlannedExercise planned(const RepetitionState& state) { return {state.exerciseId, state.level}; }
+NextExercise planned(const RepetitionState& state) { return {state.exerciseId, state.level}; }
 
-std::optional<PlannedExercise> mostOverdue(const Choice& choice) {
+std::optional<NextExercise> mostOverdue(const Choice& choice) {
   if (choice.due.empty()) return std::nullopt;
   return planned(*std::max_element(choice.due.begin(), choice.due.end(), [](const Seen& a, const Seen& b) {
                     // Failures first: nothing is known of them.
@@ -93,23 +93,23 @@ std::optional<PlannedExercise> mostOverdue(const Choice& choice) {
                   })->state);
 }
 
-std::optional<PlannedExercise> longestWaiting(const Choice& choice) {
+std::optional<NextExercise> longestWaiting(const Choice& choice) {
   if (choice.due.empty()) return std::nullopt;
   return planned(*std::min_element(choice.due.begin(), choice.due.end(), [](const Seen& a, const Seen& b) {
                     return std::tie(a.state->due, a.state->exerciseId) < std::tie(b.state->due, b.state->exerciseId);
                   })->state);
 }
 
-std::optional<PlannedExercise> something(const Choice& choice, std::uint64_t seed) {
+std::optional<NextExercise> something(const Choice& choice, std::uint64_t seed) {
   if (choice.fresh.empty()) return std::nullopt;
   const Exercise* chosen = *std::min_element(choice.fresh.begin(), choice.fresh.end(), [&](const Exercise* a, const Exercise* b) {
     const std::uint64_t orderA = shuffled(a->id, seed), orderB = shuffled(b->id, seed);
     return std::tie(orderA, a->id) < std::tie(orderB, b->id);
   });
-  return PlannedExercise{chosen->id, 1};
+  return NextExercise{chosen->id, 1};
 }
 
-std::optional<PlannedExercise> soonest(const Choice& choice) {
+std::optional<NextExercise> soonest(const Choice& choice) {
   if (choice.notDue.empty()) return std::nullopt;
   return planned(**std::min_element(choice.notDue.begin(), choice.notDue.end(), [](const auto* a, const auto* b) {
     return std::tie(a->due, a->exerciseId) < std::tie(b->due, b->exerciseId);
@@ -145,11 +145,11 @@ RepetitionState afterwards(const RepetitionState& state, int grade, sys_seconds 
   return next;
 }
 
-std::optional<PlannedExercise> nextExercise(const std::vector<RepetitionState>& states, const std::vector<Exercise>& exercises,
-                                            sys_seconds now, std::uint64_t seed) {
+std::optional<NextExercise> nextExercise(const std::vector<RepetitionState>& states, const std::vector<Exercise>& exercises,
+                                         sys_seconds now, std::uint64_t seed) {
   int tries = 0;
   const Choice choice = choiceOf(states, exercises, now, tries);
-  std::optional<PlannedExercise> chosen;
+  std::optional<NextExercise> chosen;
   if (tries % 4 == 1) chosen = longestWaiting(choice);
   if (tries % 4 == 3) chosen = something(choice, seed);
   if (!chosen) chosen = mostOverdue(choice);

@@ -106,7 +106,7 @@ Units unitsOf(const CompassTarget& target) {
 /// How much a slide matters, mm: out of the plane in full, along it as far as the target's place in the image counts.
 double weightOf(const glm::dvec3& slide_mm, const glm::dvec3& across) {
   const double out_mm = glm::dot(slide_mm, across);
-  return std::max(std::abs(out_mm), glm::length(slide_mm - out_mm * across) / kInPictureFactor);
+  return std::max(std::abs(out_mm), glm::length(slide_mm - out_mm * across) / kInImageFactor);
 }
 
 double wholeOf(double amount) { return std::max(1.0, std::round(std::abs(amount))); }
@@ -202,7 +202,7 @@ HandMovement chosen(const Left& left, const Units& units, const std::optional<Co
       {HandMovement::slide, weightOf(left.slide_mm, left.across) / units.slide_mm},
       {HandMovement::rotate, std::abs(left.rotate_deg) / units.rotate_deg},
       {HandMovement::tilt, std::abs(left.tilt_deg) / units.tip_deg},
-      // A rock turns the picture within its plane, which is found all the same; half as urgent.
+      // A rock turns the image within its plane, which is found all the same; half as urgent.
       {HandMovement::rock, 0.5 * std::abs(left.rock_deg) / units.tip_deg},
       {HandMovement::press, std::abs(left.press_mm) / (2.0 * units.slide_mm)},
   }};

@@ -12,8 +12,8 @@ namespace {
 
 using assessment::RandomNumbers;
 
-constexpr int kChanceHolds = 120;       // pictures of random hands that an organ's share is taken of
-constexpr int kChancePicturesFree = 6;  // of them without the organ, or there is nowhere to begin
+constexpr int kChanceHolds = 120;     // images of random hands that an organ's share is taken of
+constexpr int kChanceImagesFree = 6;  // of them without the organ, or there is nowhere to begin
 constexpr int kStartTries = 300;
 constexpr double kNearlyFound = 2.0;  // tolerances: from here a plane is not a start any more
 
@@ -46,11 +46,11 @@ PlaneTolerance atLevel(const PlaneTolerance& tolerance, int level) {
   return {factor * tolerance.position_mm, factor * tolerance.angle_deg};
 }
 
-CompassTarget compassTo(const ExpectedPlane& plane, const ExerciseGround& ground) {
+CompassTarget compassTo(const ReferencePlane& plane, const ExerciseGround& ground) {
   return compassTargetOf(targetOf(plane, ground.truth, ground.fan().depth_mm), toleranceOf(plane), *ground.skin);
 }
 
-std::optional<Message> whyNotPlane(const ExpectedPlane& plane, const ExerciseGround& ground) {
+std::optional<Message> whyNotPlane(const ReferencePlane& plane, const ExerciseGround& ground) {
   if (!compassTo(plane, ground).reachable) return say<"The plane cannot be reached from the skin.">();
   return std::nullopt;
 }
@@ -101,12 +101,12 @@ std::optional<Hold> viewFrom(const std::vector<Hold>& elsewhere, const OrganVoxe
   return best;
 }
 
-std::optional<Message> whyNotOrgan(const ExpectedStructure& structure, const ExerciseGround& ground, const std::vector<Hold>& holds,
+std::optional<Message> whyNotOrgan(const ReferenceStructure& structure, const ExerciseGround& ground, const std::vector<Hold>& holds,
                                    std::uint64_t seed) {
   if (!ground.labels) return say<"The case has no voxels of it.">();
   const OrganVoxels organ(*ground.labels, structure.label);
   if (organ.empty()) return say<"The case has no voxels of it.">();
-  if (!viewFrom(holds, organ, ground, structure.label, seed)) return say<"It comes into no picture from the skin.">();
+  if (!viewFrom(holds, organ, ground, structure.label, seed)) return say<"It comes into no image from the skin.">();
   const Fan fan = ground.fan();
   const double whole_mm2 = areaOf_mm2(fan, 3.0);
   double byChance = 0.0;
@@ -117,12 +117,12 @@ std::optional<Message> whyNotOrgan(const ExpectedStructure& structure, const Exe
     without += area_mm2 > 0.0 ? 0 : 1;
   }
   if (byChance > kMostByChance * static_cast<double>(holds.size()))
-    return say<"It fills so much of most pictures that pointing at random would do.">();
-  if (without < kChancePicturesFree) return say<"It is in nearly every picture, so that there is nothing to look for.">();
+    return say<"It fills so much of most images that pointing at random would do.">();
+  if (without < kChanceImagesFree) return say<"It is in nearly every image, so that there is nothing to look for.">();
   return std::nullopt;
 }
 
-std::optional<Message> whyNotMeasurement(const ExpectedMeasurement& measurement) {
+std::optional<Message> whyNotMeasurement(const ReferenceMeasurement& measurement) {
   const auto reading = readingOf(measurement.points_mm);
   if (measurement.unit != "mm" || !reading) return say<"Calipers alone cannot measure it.">();
   const double tolerance = toleranceOf(measurement);
@@ -138,7 +138,7 @@ void sort(ExerciseList& list, Exercise exercise, std::optional<Message> why) {
     list.offered.push_back(std::move(exercise));
 }
 
-std::optional<Hold> startForPlane(const ExpectedPlane& plane, const ExerciseGround& ground, int level, std::uint64_t seed, bool maySolve) {
+std::optional<Hold> startForPlane(const ReferencePlane& plane, const ExerciseGround& ground, int level, std::uint64_t seed, bool maySolve) {
   const CompassTarget target = compassTo(plane, ground);
   const auto difficulty = difficultyOf(level);
   const auto near_mm = maySolve ? std::optional<double>(15.0) : difficulty.startsWithin_mm;
@@ -195,23 +195,23 @@ ExerciseDifficulty difficultyOf(int level) {
   return kLevels[static_cast<std::size_t>(std::clamp(level, 1, kExerciseLevels) - 1)];
 }
 
-const ExpectedPlane* planeOf(const Exercise& exercise, const CaseTruth& truth) { return namedIn(truth.planes, exercise.target); }
-const ExpectedStructure* structureOf(const Exercise& exercise, const CaseTruth& truth) {
+const ReferencePlane* planeOf(const Exercise& exercise, const CaseTruth& truth) { return namedIn(truth.planes, exercise.target); }
+const ReferenceStructure* structureOf(const Exercise& exercise, const CaseTruth& truth) {
   return namedIn(truth.structures, exercise.target);
 }
-const ExpectedMeasurement* measurementOf(const Exercise& exercise, const CaseTruth& truth) {
+const ReferenceMeasurement* measurementOf(const Exercise& exercise, const CaseTruth& truth) {
   return namedIn(truth.measurements, exercise.target);
 }
 
 ExerciseList exercisesOf(const Case& edited, const ExerciseGround& ground, std::uint64_t seed) {
   ExerciseList list;
   const std::vector<Hold> holds = ground.labels && !ground.truth.structures.empty() ? randomHolds(ground, seed) : std::vector<Hold>();
-  for (const ExpectedPlane& each : ground.truth.planes)
+  for (const ReferencePlane& each : ground.truth.planes)
     sort(list, exerciseFor(edited, ExerciseKind::findPlane, each.name, targetReveals(edited, each.name)), whyNotPlane(each, ground));
-  for (const ExpectedStructure& each : ground.truth.structures)
+  for (const ReferenceStructure& each : ground.truth.structures)
     sort(list, exerciseFor(edited, ExerciseKind::pointAtOrgan, each.name, targetReveals(edited, each.name)),
          whyNotOrgan(each, ground, holds, seed));
-  for (const ExpectedMeasurement& each : ground.truth.measurements)
+  for (const ReferenceMeasurement& each : ground.truth.measurements)
     sort(list, exerciseFor(edited, ExerciseKind::measure, each.name, measurementReveals(edited, each.name)), whyNotMeasurement(each));
   return list;
 }
@@ -224,16 +224,16 @@ std::optional<Hold> viewOfOrgan(const ExerciseGround& ground, int label, std::ui
 
 std::optional<Hold> startOf(const Exercise& exercise, const ExerciseGround& ground, int level, std::uint64_t seed) {
   if (exercise.kind == ExerciseKind::findPlane) {
-    const ExpectedPlane* plane = planeOf(exercise, ground.truth);
+    const ReferencePlane* plane = planeOf(exercise, ground.truth);
     return plane != nullptr ? startForPlane(*plane, ground, level, seed, false) : std::nullopt;
   }
   if (exercise.kind == ExerciseKind::pointAtOrgan) {
-    const ExpectedStructure* structure = structureOf(exercise, ground.truth);
+    const ReferenceStructure* structure = structureOf(exercise, ground.truth);
     return structure != nullptr ? startForOrgan(structure->label, ground, seed) : std::nullopt;
   }
-  const ExpectedMeasurement* measurement = measurementOf(exercise, ground.truth);
+  const ReferenceMeasurement* measurement = measurementOf(exercise, ground.truth);
   if (measurement == nullptr) return std::nullopt;
-  const ExpectedPlane* plane = namedIn(ground.truth.planes, measurement->plane);
+  const ReferencePlane* plane = namedIn(ground.truth.planes, measurement->plane);
   if (plane != nullptr && level <= 2) return startForPlane(*plane, ground, level, seed, true);
   return randomHold(ground.region, *ground.skin, seed * 104729, freelyOf(ground));
 }
@@ -241,18 +241,18 @@ std::optional<Hold> startOf(const Exercise& exercise, const ExerciseGround& grou
 StepResult judgeExercise(const Exercise& exercise, const ExerciseGround& ground, int level, const ExerciseAnswer& answer) {
   const ExerciseDifficulty difficulty = difficultyOf(level);
   if (exercise.kind == ExerciseKind::findPlane) {
-    const ExpectedPlane* plane = planeOf(exercise, ground.truth);
+    const ReferencePlane* plane = planeOf(exercise, ground.truth);
     if (plane == nullptr) return nothingToJudge(say<"The case does not have this target any more; take another exercise.">());
     return judgePlane(targetOf(*plane, ground.truth, ground.fan().depth_mm), atLevel(toleranceOf(*plane), level), answer.pose);
   }
   if (answer.points_mm.empty()) return nothingToJudge(say<"No point was set; click in the image.">());
   if (exercise.kind == ExerciseKind::pointAtOrgan) {
-    const ExpectedStructure* structure = structureOf(exercise, ground.truth);
+    const ReferenceStructure* structure = structureOf(exercise, ground.truth);
     if (structure == nullptr || !ground.labels)
       return nothingToJudge(say<"The case does not have this target any more; take another exercise.">());
     return judgePointing(OrganVoxels(*ground.labels, structure->label), answer.points_mm.front(), difficulty.pointMargin_mm);
   }
-  const ExpectedMeasurement* measurement = measurementOf(exercise, ground.truth);
+  const ReferenceMeasurement* measurement = measurementOf(exercise, ground.truth);
   if (measurement == nullptr) return nothingToJudge(say<"The case does not have this target any more; take another exercise.">());
   const auto value = answer.value ? answer.value : readingOf(answer.points_mm);
   if (!value) return nothingToJudge(say<"These points read nothing; set the calipers that the measurement needs.">());

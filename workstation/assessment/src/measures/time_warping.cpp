@@ -35,14 +35,14 @@ double poseDistance_mm(const Transform<frame::World, frame::Probe>& a, const Tra
   return distance_mm(heldOf(a), heldOf(b));
 }
 
-double WarpedTime::inSecond(std::size_t n) const {
+double WarpingPath::inSecond(std::size_t n) const {
   EW_EXPECTS(!pairs.empty() && n <= pairs.back().first);
   const auto low = std::partition_point(pairs.begin(), pairs.end(), [&](const auto& each) { return each.first < n; });
   const auto high = std::partition_point(low, pairs.end(), [&](const auto& each) { return each.first <= n; });
   return 0.5 * static_cast<double>(low->second + std::prev(high)->second);
 }
 
-Result<WarpedTime> warpTime(std::span<const Pose> first, std::span<const Pose> second, Progress& progress, std::uint64_t mostBytes) {
+Result<WarpingPath> warpTime(std::span<const Pose> first, std::span<const Pose> second, Progress& progress, std::uint64_t mostBytes) {
   if (first.empty() || second.empty())
     return failure(ErrorCode::badUsage, say<"A scan without a valid pose cannot be compared; choose another one.">());
   const std::uint64_t bytes = static_cast<std::uint64_t>(first.size()) * second.size();
@@ -73,7 +73,7 @@ Result<WarpedTime> warpTime(std::span<const Pose> first, std::span<const Pose> s
     }
     std::swap(before, now);
   }
-  WarpedTime warped;
+  WarpingPath warped;
   double sum_mm = 0.0;
   for (std::size_t i = first.size() - 1, j = second.size() - 1;;) {
     warped.pairs.emplace_back(i, j);

@@ -108,7 +108,7 @@ bool scoresDiffer(const std::vector<double>& scores) {
 }
 
 /// Scores of those who should pass and of those who should not.
-struct ContrastedScores {
+struct ContrastingScores {
   std::vector<double> shouldFail, shouldPass;
   [[nodiscard]] std::optional<Estimate> passLevel() const {
     return scoresDiffer(shouldFail) && scoresDiffer(shouldPass) ? contrastingGroups(shouldFail, shouldPass) : std::nullopt;
@@ -117,8 +117,8 @@ struct ContrastedScores {
 };
 
 void suggestLevels(ClassFigures& figures, const ClassInOrder& attempts) {
-  ContrastedScores lesson;
-  std::map<std::string, ContrastedScores> steps;
+  ContrastingScores lesson;
+  std::map<std::string, ContrastingScores> steps;
   for (const ClassAttempt* one : attempts) {
     const Standing standing = one->standing();
     if (standing == Standing::unknown) continue;
@@ -130,7 +130,7 @@ void suggestLevels(ClassFigures& figures, const ClassInOrder& attempts) {
   figures.shouldFail = lesson.shouldFail.size();
   figures.suggested = lesson.passLevel();
   for (ClassStep& step : figures.steps) {
-    const ContrastedScores& groups = steps[step.stepId];
+    const ContrastingScores& groups = steps[step.stepId];
     step.shouldPass = groups.shouldPass.size();
     step.shouldFail = groups.shouldFail.size();
     if (step.weight > 0.0) step.suggested = groups.passLevel();
@@ -139,9 +139,9 @@ void suggestLevels(ClassFigures& figures, const ClassInOrder& attempts) {
 
 }  // namespace
 
-Standing standingBy(const KeptRatings& ratings) {
+Standing standingBy(const RatingRecords& ratings) {
   std::optional<bool> verdict;
-  for (const KeptRating& each : ratings.ratings) {
+  for (const RatingRecord& each : ratings.ratings) {
     if (!each.rating.finished || each.rating.sawOthers) continue;
     const auto passed = passedBy(*each.form, each.rating);
     if (!passed) continue;

@@ -12,7 +12,7 @@ namespace {
 using Scores = std::vector<double>;
 
 /// The counting ratings of one attempt, by rater.
-struct CountedAttempt {
+struct RatingsByRater {
   Standing standing = Standing::unknown;
   std::map<std::string, const Rating*> byRater;
 
@@ -43,9 +43,9 @@ RaterScores scoresOf(const std::string& rater, const Scores& scores) {
   return made;
 }
 
-bool isCounted(const Rating& rating, CountedRatings counted) {
-  if (counted == CountedRatings::blinded) return rating.isBlinded();
-  return counted == CountedRatings::all || !rating.sawOthers;
+bool isCounted(const Rating& rating, RatingFilter counted) {
+  if (counted == RatingFilter::blinded) return rating.isBlinded();
+  return counted == RatingFilter::all || !rating.sawOthers;
 }
 
 /// Sorts what counts from what does not, and counts both.
@@ -54,8 +54,8 @@ class Selection {
   Selection(const RatingForm& form, const RatingStatisticsOptions& options, RatingStatistics& found)
       : content_(contentOf(form)), options_(options), only_(options.raters.begin(), options.raters.end()), found_(found) {}
 
-  CountedAttempt of(const RatedAttempt& attempt) {
-    CountedAttempt made{attempt.standing, {}};
+  RatingsByRater of(const AttemptRatings& attempt) {
+    RatingsByRater made{attempt.standing, {}};
     for (const Rating& rating : attempt.ratings) {
       if (!isWanted(rating)) continue;
       const Rating*& kept = made.byRater[rating.rater];
@@ -83,10 +83,10 @@ class Selection {
 };
 
 PairAgreement agreementOn(const std::string& item, const std::string& first, const std::string& second,
-                          const std::vector<CountedAttempt>& attempts, const Bootstrap& bootstrap) {
+                          const std::vector<RatingsByRater>& attempts, const Bootstrap& bootstrap) {
   PairAgreement pair{first, second, 0, 0, std::nullopt};
   std::vector<std::pair<int, int>> both;
-  for (const CountedAttempt& attempt : attempts) {
+  for (const RatingsByRater& attempt : attempts) {
     const auto a = attempt.score(first, item), b = attempt.score(second, item);
     if (a && b) both.emplace_back(*a, *b);
     pair.leftOut += a.has_value() != b.has_value() ? 1 : 0;
@@ -96,12 +96,12 @@ PairAgreement agreementOn(const std::string& item, const std::string& first, con
   return pair;
 }
 
-ItemStatistics statisticsOf(const std::string& item, const std::vector<std::string>& raters, const std::vector<CountedAttempt>& attempts,
+ItemStatistics statisticsOf(const std::string& item, const std::vector<std::string>& raters, const std::vector<RatingsByRater>& attempts,
                             const Bootstrap& bootstrap) {
   ItemStatistics made{item, {}, {}};
   for (auto first = raters.begin(); first != raters.end(); ++first) {
     Scores scores;
-    for (const CountedAttempt& attempt : attempts)
+    for (const RatingsByRater& attempt : attempts)
       if (const auto score = attempt.score(*first, item)) scores.push_back(*score);
     made.raters.push_back(scoresOf(*first, scores));
     for (auto second = first + 1; second != raters.end(); ++second)
@@ -111,7 +111,7 @@ ItemStatistics statisticsOf(const std::string& item, const std::vector<std::stri
 }
 
 /// Totals of one attempt in the order of `raters`; nothing where there is none.
-std::vector<std::optional<double>> totalsIn(const RatingForm& form, const CountedAttempt& attempt, const std::vector<std::string>& raters) {
+std::vector<std::optional<double>> totalsIn(const RatingForm& form, const RatingsByRater& attempt, const std::vector<std::string>& raters) {
   std::vector<std::optional<double>> totals;
   for (const std::string& rater : raters) {
     const Rating* rating = attempt.of(rater);
@@ -120,12 +120,12 @@ std::vector<std::optional<double>> totalsIn(const RatingForm& form, const Counte
   return totals;
 }
 
-void compareTotals(const RatingForm& form, const std::vector<CountedAttempt>& attempts, const Bootstrap& bootstrap,
+void compareTotals(const RatingForm& form, const std::vector<RatingsByRater>& attempts, const Bootstrap& bootstrap,
                    RatingStatistics& found) {
   RatingTable complete;
   std::vector<Scores> byRater(found.raters.size());
   Scores failing, passing;
-  for (const CountedAttempt& attempt : attempts) {
+  for (const RatingsByRater& attempt : attempts) {
     Scores row;
     const auto totals = totalsIn(form, attempt, found.raters);
     for (std::size_t n = 0; n < totals.size(); ++n) {
@@ -154,14 +154,14 @@ void compareTotals(const RatingForm& form, const std::vector<CountedAttempt>& at
 
 }  // namespace
 
-RatingStatistics ratingStatistics(const RatingForm& form, const std::vector<RatedAttempt>& attempts,
+RatingStatistics ratingStatistics(const RatingForm& form, const std::vector<AttemptRatings>& attempts,
                                   const RatingStatisticsOptions& options) {
   RatingStatistics found;
   Selection selection(form, options, found);
-  std::vector<CountedAttempt> counted;
+  std::vector<RatingsByRater> counted;
   std::set<std::string> raters;
-  for (const RatedAttempt& attempt : attempts) {
-    CountedAttempt each = selection.of(attempt);
+  for (const AttemptRatings& attempt : attempts) {
+    RatingsByRater each = selection.of(attempt);
     if (each.byRater.empty()) continue;
     for (const auto& [rater, rating] : each.byRater) raters.insert(rater);
     counted.push_back(std::move(each));

@@ -13,7 +13,7 @@ StepResult scored(double score) {
   return result;
 }
 
-class ReadWork final : public StepWork {
+class ReadingWork final : public StepWork {
  public:
   [[nodiscard]] StepResult judge(const StepAnswer&) const override { return scored(1.0); }
 };
@@ -134,7 +134,7 @@ class AnswerWork final : public StepWork {
 
 }  // namespace
 
-Work readWork() { return std::make_unique<ReadWork>(); }
+Work readWork() { return std::make_unique<ReadingWork>(); }
 
 Work watchWork() { return std::make_unique<WatchWork>(); }
 

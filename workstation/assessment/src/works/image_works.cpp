@@ -20,14 +20,14 @@ std::vector<std::string> figuresFor(const std::string& kind) {
 
 class MeasureWork final : public StepWork {
  public:
-  MeasureWork(const ExpectedMeasurement& expected, double tolerance) : expected_(expected), tolerance_(tolerance) {}
+  MeasureWork(const ReferenceMeasurement& expected, double tolerance) : expected_(expected), tolerance_(tolerance) {}
 
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
     if (fittingIn(handed.measurements) != nullptr) return std::nullopt;
     return say<"Nothing that fits is measured in this image yet; freeze the image and set the calipers.">();
   }
   [[nodiscard]] StepAnswer answerOf(const Handed& handed) const override {
-    const HandedMeasurement* found = fittingIn(handed.measurements);
+    const MeasurementSubmission* found = fittingIn(handed.measurements);
     return found != nullptr && last() ? answerBy(inWorld(*found, *last())) : StepAnswer();
   }
   [[nodiscard]] StepResult judge(const StepAnswer& given) const override {
@@ -67,13 +67,13 @@ class MeasureWork final : public StepWork {
     return std::nullopt;
   }
 
-  ExpectedMeasurement expected_;
+  ReferenceMeasurement expected_;
   double tolerance_;
 };
 
 class PointWork final : public StepWork {
  public:
-  explicit PointWork(ExpectedPoint point) : point_(std::move(point)) {}
+  explicit PointWork(ReferencePoint point) : point_(std::move(point)) {}
   explicit PointWork(std::shared_ptr<const OrganVoxels> organ) : organ_(std::move(organ)) {}
 
   [[nodiscard]] std::optional<Message> missing(const Handed& handed) const override {
@@ -92,15 +92,15 @@ class PointWork final : public StepWork {
   }
 
  private:
-  std::optional<ExpectedPoint> point_;
+  std::optional<ReferencePoint> point_;
   std::shared_ptr<const OrganVoxels> organ_;
 };
 
 }  // namespace
 
-Work measureWork(const ExpectedMeasurement& expected, double tolerance) { return std::make_unique<MeasureWork>(expected, tolerance); }
+Work measureWork(const ReferenceMeasurement& expected, double tolerance) { return std::make_unique<MeasureWork>(expected, tolerance); }
 
-Work pointWork(const ExpectedPoint& point) { return std::make_unique<PointWork>(point); }
+Work pointWork(const ReferencePoint& point) { return std::make_unique<PointWork>(point); }
 
 Work pointWork(std::shared_ptr<const OrganVoxels> organ) { return std::make_unique<PointWork>(std::move(organ)); }
 

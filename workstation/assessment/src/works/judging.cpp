@@ -86,7 +86,7 @@ StepResult judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance
   judged.figures = {{"angle", error.angle_deg, "deg"},
                     {"distance", error.distance_mm, "mm"},
                     {"roll", error.roll_deg, "deg"},
-                    {"in_picture", error.inPicture_mm, "mm"},
+                    {"in_picture", error.inImage_mm, "mm"},
                     {"face", error.face_mm, "mm"}};
   if (judged.passed() && !error.isMirrored)
     wellDone(judged,
@@ -100,8 +100,8 @@ StepResult judgePlane(const PlaneTarget& target, const PlaneTolerance& tolerance
   if (!isWithinTolerance(error.distance_mm, 0.0, tolerance.position_mm))
     missed(judged,
            say<"The plane passes %1 mm beside the target; %2 mm are allowed.">(tenths(error.distance_mm), tenths(tolerance.position_mm)));
-  if (!isWithinTolerance(error.inPicture_mm, 0.0, kInPictureFactor * tolerance.position_mm))
-    missed(judged, say<"The target lies %1 mm elsewhere in the image; bring it to where the expert has it.">(whole(error.inPicture_mm)));
+  if (!isWithinTolerance(error.inImage_mm, 0.0, kInImageFactor * tolerance.position_mm))
+    missed(judged, say<"The target lies %1 mm elsewhere in the image; bring it to where the expert has it.">(whole(error.inImage_mm)));
   if (error.isMirrored) {
     judged.verdict = StepVerdict::failed;
     judged.score = std::min(judged.score, 0.5);
@@ -128,7 +128,7 @@ StepResult judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_wor
   return judged;
 }
 
-StepResult judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_world_mm) {
+StepResult judgePointing(const ReferencePoint& point, const glm::dvec3& clicked_world_mm) {
   EW_EXPECTS(point.tolerance_mm > 0.0);
   const double off_mm = glm::distance(point.at_mm, clicked_world_mm);
   StepResult judged = judgedBy(shareOfTolerance(off_mm, 0.0, point.tolerance_mm));
@@ -168,11 +168,12 @@ std::optional<double> readingOf(const std::vector<glm::dvec3>& points_mm) {
 
 double placeTolerance_mm(double tolerance) { return std::clamp(2.0 * tolerance, 5.0, 15.0); }
 
-double toleranceOf(const ExpectedMeasurement& expected) {
+double toleranceOf(const ReferenceMeasurement& expected) {
   return expected.tolerance.value_or(std::max(2.0, 0.1 * std::abs(expected.value)));
 }
 
-StepResult judgeMeasurement(const ExpectedMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm, double tolerance) {
+StepResult judgeMeasurement(const ReferenceMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm,
+                            double tolerance) {
   EW_EXPECTS(tolerance > 0.0);
   const double off = value - expected.value;
   double share = shareOfTolerance(value, expected.value, tolerance);

@@ -47,7 +47,7 @@ PlaneError planeError(const PlaneTarget& target, const Transform<frame::World, f
   error.angle_deg = glm::degrees(angleBetween_rad({0.0, 0.0, 1.0}, toTarget[2]));
   error.roll_deg = glm::degrees(rollOf_rad(toTarget));
   error.distance_mm = std::abs(interest_probe.z);
-  error.inPicture_mm = glm::length(glm::dvec2(interest_probe) - interest_target);
+  error.inImage_mm = glm::length(glm::dvec2(interest_probe) - interest_target);
   error.faceOffset_mm = glm::dvec3(target.probeToWorld.matrix[3] - probeToWorld.matrix[3]);
   error.face_mm = glm::length(error.faceOffset_mm);
   // Entries of Ry(rotate) Rx(tilt) Rz(rock) that hold one angle each, as in holdFor.
@@ -65,17 +65,17 @@ double shareOfTolerance(const PlaneError& error, const PlaneTolerance& tolerance
   EW_EXPECTS(tolerance.position_mm > 0.0 && tolerance.angle_deg > 0.0);
   return std::max({shareOfTolerance(error.distance_mm, 0.0, tolerance.position_mm),
                    shareOfTolerance(error.angle_deg, 0.0, tolerance.angle_deg),
-                   shareOfTolerance(error.inPicture_mm, 0.0, kInPictureFactor * tolerance.position_mm)});
+                   shareOfTolerance(error.inImage_mm, 0.0, kInImageFactor * tolerance.position_mm)});
 }
 
 bool isFound(const PlaneError& error, const PlaneTolerance& tolerance) { return shareOfTolerance(error, tolerance) <= 1.0; }
 
-PlaneTarget targetOf(const ExpectedPlane& plane, const CaseTruth& truth, double depth_mm) {
+PlaneTarget targetOf(const ReferencePlane& plane, const CaseTruth& truth, double depth_mm) {
   EW_EXPECTS(depth_mm > 0.0);
   glm::dvec2 sum_mm(0.0);
   int points = 0;
   const auto worldToProbe = rigidInverse(plane.probeToWorld);
-  for (const ExpectedMeasurement& each : truth.measurements) {
+  for (const ReferenceMeasurement& each : truth.measurements) {
     if (each.plane != plane.name) continue;
     for (const glm::dvec3& p_mm : each.points_mm) {
       sum_mm += glm::dvec2(carried(worldToProbe, p_mm));
@@ -87,6 +87,6 @@ PlaneTarget targetOf(const ExpectedPlane& plane, const CaseTruth& truth, double 
   return target;
 }
 
-PlaneTolerance toleranceOf(const ExpectedPlane& plane) { return {plane.positionTolerance_mm, plane.angleTolerance_deg}; }
+PlaneTolerance toleranceOf(const ReferencePlane& plane) { return {plane.positionTolerance_mm, plane.angleTolerance_deg}; }
 
 }  // namespace ew

@@ -5,8 +5,8 @@
 
 namespace ew {
 
-std::vector<HeldFrame> heldFramesOf(const ScanLog& log) {
-  std::vector<HeldFrame> held;
+std::vector<FrameDwell> heldFramesOf(const ScanLog& log) {
+  std::vector<FrameDwell> held;
   held.reserve(log.frameCount());
   bool isFrozen = false, isPaused = false;
   double since_s = 0.0;
@@ -36,7 +36,7 @@ std::vector<Pose> heldPosesOf(const ScanLog& log) {
   constexpr double kRest_s = 0.1;  // images that follow one another more quickly are a motion
   std::vector<Pose> poses;
   poses.reserve(log.frameCount());
-  for (const HeldFrame& held : heldFramesOf(log)) {
+  for (const FrameDwell& held : heldFramesOf(log)) {
     Pose pose = log.frame(held.frame).pose;
     pose.time_s = log.frameTime_s(held.frame);
     poses.push_back(pose);
@@ -52,11 +52,11 @@ std::vector<Pose> heldPosesOf(const ScanLog& log) {
 }
 
 ContactFigures contactOf(const ScanLog& log) {
-  constexpr double kTouching = 0.5;  // of the face: less shows more black than picture
+  constexpr double kTouching = 0.5;  // of the face: less shows more black than image
   ContactFigures found;
   double seconds = 0.0, lost_s = 0.0, touching_s = 0.0, pressed_mmS = 0.0;
   bool hasGaps = false;
-  for (const HeldFrame& held : heldFramesOf(log)) {
+  for (const FrameDwell& held : heldFramesOf(log)) {
     const ScanState image = log.frame(held.frame);
     if (image.pose.status != PoseStatus::ok) continue;
     const double share = image.gaps_mm.empty() ? 1.0 : contactShare(image.gaps_mm);

@@ -13,7 +13,7 @@ Fan fanOfImage(const ScanState& image) { return {image.probe, resolvedDepth_mm(i
 
 class PlaneWork final : public StepWork {
  public:
-  PlaneWork(const PlaneTask& task, ExpectedPlane target, std::shared_ptr<const CaseGround> ground)
+  PlaneWork(const PlaneTask& task, ReferencePlane target, std::shared_ptr<const CaseGround> ground)
       : target_(std::move(target)), ground_(std::move(ground)), tolerance_(toleranceOf(target_)) {
     tolerance_.position_mm = task.positionTolerance_mm.value_or(tolerance_.position_mm);
     tolerance_.angle_deg = task.angleTolerance_deg.value_or(tolerance_.angle_deg);
@@ -43,7 +43,7 @@ class PlaneWork final : public StepWork {
     return targetOf(target_, ground_->truth(), resolvedDepth_mm(last()->probe, last()->knobs));
   }
 
-  ExpectedPlane target_;
+  ReferencePlane target_;
   std::shared_ptr<const CaseGround> ground_;
   PlaneTolerance tolerance_;
 };
@@ -72,9 +72,9 @@ class FreeWork final : public StepWork {
   FreeWork(const FreeTask& task, std::shared_ptr<const CaseGround> ground) : ground_(std::move(ground)), shortest_s_(task.shortest_s) {
     for (const std::string& name : task.targets) {
       Sought one{name, std::nullopt, std::nullopt, std::nullopt};
-      for (const ExpectedPlane& plane : ground_->truth().planes)
+      for (const ReferencePlane& plane : ground_->truth().planes)
         if (plane.name == name) one.plane = plane;
-      for (const ExpectedStructure& structure : ground_->truth().structures)
+      for (const ReferenceStructure& structure : ground_->truth().structures)
         if (structure.name == name) one.cover.emplace(ground_->organ(structure.label));
       sought_.push_back(std::move(one));
     }
@@ -113,7 +113,7 @@ class FreeWork final : public StepWork {
  private:
   struct Sought {
     std::string name;
-    std::optional<ExpectedPlane> plane;
+    std::optional<ReferencePlane> plane;
     std::optional<OrganCoverage> cover;
     std::optional<PlaneError> nearest;  ///< that the probe came to the plane
 
@@ -130,7 +130,7 @@ class FreeWork final : public StepWork {
       const PlaneTolerance tolerance = toleranceOf(*plane);
       if (nearest->angle_deg <= tolerance.angle_deg && nearest->distance_mm <= tolerance.position_mm)
         return say<"Not shown: %1. The plane was right, but the target lay %2 mm elsewhere in the image; %3 mm are allowed.">(
-            verbatim(name), roundedText(nearest->inPicture_mm), roundedText(kInPictureFactor * tolerance.position_mm));
+            verbatim(name), roundedText(nearest->inImage_mm), roundedText(kInImageFactor * tolerance.position_mm));
       return say<"Not shown: %1. At best the plane was %2 degrees and %3 mm off; %4 degrees and %5 mm are allowed.">(
           verbatim(name), roundedText(nearest->angle_deg), roundedText(nearest->distance_mm), roundedText(tolerance.angle_deg),
           roundedText(tolerance.position_mm));
@@ -145,7 +145,7 @@ class FreeWork final : public StepWork {
 
 }  // namespace
 
-Work planeWork(const PlaneTask& task, const ExpectedPlane& target, std::shared_ptr<const CaseGround> ground) {
+Work planeWork(const PlaneTask& task, const ReferencePlane& target, std::shared_ptr<const CaseGround> ground) {
   return std::make_unique<PlaneWork>(task, target, std::move(ground));
 }
 

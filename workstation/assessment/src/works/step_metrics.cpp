@@ -20,14 +20,14 @@ const typename All::value_type* ofName(const All& all, const std::string& name) 
 }
 
 /// The plane that a step is about, if it is one of the case's.
-const ExpectedPlane* planeOfStep(const LessonTask& task, const CaseTruth& truth) {
+const ReferencePlane* planeOfStep(const LessonTask& task, const CaseTruth& truth) {
   if (const auto* plane = std::get_if<PlaneTask>(&task)) return ofName(truth.planes, plane->target);
   if (const auto* measure = std::get_if<MeasureTask>(&task))
     if (const auto* expected = ofName(truth.measurements, measure->measurement)) return ofName(truth.planes, expected->plane);
   return nullptr;
 }
 
-PlaneTarget targetIn(const ScanState& image, const ExpectedPlane& plane, const CaseTruth& truth) {
+PlaneTarget targetIn(const ScanState& image, const ReferencePlane& plane, const CaseTruth& truth) {
   return targetOf(plane, truth, resolvedDepth_mm(image.probe, image.knobs));
 }
 
@@ -57,7 +57,7 @@ double overlap_pct(const std::vector<Pose>& expert, const std::vector<Pose>& tra
   const auto isVisited = [&](const Pose& plane) {
     const PlaneTarget target{plane.probeToWorld, {0.0, 0.5 * depth_mm}};
     return std::any_of(visited.begin(), visited.end(), [&](const Pose& pose) {
-      // Far faces cannot hold the same plane within the picture: most pairs end here.
+      // Far faces cannot hold the same plane within the image: most pairs end here.
       const glm::dvec3 away_mm(pose.probeToWorld.matrix[3] - plane.probeToWorld.matrix[3]);
       return glm::length(away_mm) <= depth_mm && isFound(planeError(target, pose.probeToWorld), kSame);
     });
@@ -134,13 +134,13 @@ class Figures {
 
   void ofTarget() {
     ofCoverage();
-    const ExpectedPlane* plane = planeOfStep(record_.step.task, ground_.truth());
+    const ReferencePlane* plane = planeOfStep(record_.step.task, ground_.truth());
     if (plane == nullptr || last_->pose.status != PoseStatus::ok) return;
     const PlaneError error = planeError(targetIn(*last_, *plane, ground_.truth()), last_->pose.probeToWorld);
     add("plane_angle", error.angle_deg);
     add("plane_roll", std::abs(error.roll_deg));
     add("plane_distance", error.distance_mm);
-    add("plane_in_picture", error.inPicture_mm);
+    add("plane_in_picture", error.inImage_mm);
   }
 
   void ofCoverage() {
@@ -210,7 +210,7 @@ Result<std::vector<MetricValue>> metricsOf(const StepRecord& record, const CaseG
   return Figures(record, ground, expert).all(progress);
 }
 
-std::optional<ScanState> bestImageOf(const ScanLog& scan, const ExpectedPlane& plane, const CaseTruth& truth) {
+std::optional<ScanState> bestImageOf(const ScanLog& scan, const ReferencePlane& plane, const CaseTruth& truth) {
   std::optional<std::size_t> best;
   double least = 0.0;
   for (std::size_t n = 0; n < scan.frameCount(); ++n) {

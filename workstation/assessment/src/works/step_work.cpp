@@ -35,7 +35,7 @@ void conclude(const LessonStep& step, double passLevel, StepOutcome& outcome) {
   outcome.verdict = inTime && reachesLevel(outcome.score, passLevel) ? StepVerdict::passed : StepVerdict::failed;
 }
 
-CaliperReading inWorld(const HandedMeasurement& handed, const ScanState& image) {
+CaliperReading inWorld(const MeasurementSubmission& handed, const ScanState& image) {
   CaliperReading made{handed.kind, handed.figures, {}};
   for (Figure& figure : made.figures) figure.uncertainty = 0.0;  // which attempts do not keep
   for (const auto& point : handed.points) made.points_mm.push_back((image.pose.probeToWorld * point).at);
@@ -63,28 +63,28 @@ struct MakeWork {
   std::shared_ptr<const CaseGround> ground;
   using Made = Result<std::unique_ptr<StepWork>>;
 
-  Made operator()(const ReadTask&) const { return readWork(); }
+  Made operator()(const ReadingTask&) const { return readWork(); }
   Made operator()(const WatchTask&) const { return watchWork(); }
   Made operator()(const PlaneTask& task) const {
-    const ExpectedPlane* plane = named(ground->truth().planes, task.target);
+    const ReferencePlane* plane = named(ground->truth().planes, task.target);
     if (plane == nullptr) return notThere(task.target);
     return planeWork(task, *plane, ground);
   }
   Made operator()(const SweepTask& task) const {
-    const ExpectedStructure* structure = named(ground->truth().structures, task.target);
+    const ReferenceStructure* structure = named(ground->truth().structures, task.target);
     if (structure == nullptr || !ground->hasLabels()) return notThere(task.target);
     return sweepWork(task, ground->organ(structure->label));
   }
   Made operator()(const MeasureTask& task) const {
-    const ExpectedMeasurement* expected = named(ground->truth().measurements, task.measurement);
+    const ReferenceMeasurement* expected = named(ground->truth().measurements, task.measurement);
     if (expected == nullptr) return notThere(task.measurement);
     const auto tolerance = task.tolerance ? task.tolerance : expected->tolerance;
     if (!tolerance) return notThere(task.measurement);
     return measureWork(*expected, *tolerance);
   }
   Made operator()(const PointTask& task) const {
-    if (const ExpectedPoint* point = named(ground->truth().points, task.target)) return pointWork(*point);
-    const ExpectedStructure* structure = named(ground->truth().structures, task.target);
+    if (const ReferencePoint* point = named(ground->truth().points, task.target)) return pointWork(*point);
+    const ReferenceStructure* structure = named(ground->truth().structures, task.target);
     if (structure == nullptr || !ground->hasLabels()) return notThere(task.target);
     return pointWork(ground->organ(structure->label));
   }

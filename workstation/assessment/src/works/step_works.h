@@ -13,14 +13,14 @@ namespace ew {
 using Work = std::unique_ptr<StepWork>;
 
 // Of the probe on the body, judged against what the case knows (scan_works.cpp).
-[[nodiscard]] Work planeWork(const PlaneTask& task, const ExpectedPlane& target, std::shared_ptr<const CaseGround> ground);
+[[nodiscard]] Work planeWork(const PlaneTask& task, const ReferencePlane& target, std::shared_ptr<const CaseGround> ground);
 [[nodiscard]] Work sweepWork(const SweepTask& task, std::shared_ptr<const OrganVoxels> organ);
 [[nodiscard]] Work freeWork(const FreeTask& task, std::shared_ptr<const CaseGround> ground);
 
 // Of the frozen image (image_works.cpp).
 /// @param tolerance in the unit of what is expected
-[[nodiscard]] Work measureWork(const ExpectedMeasurement& expected, double tolerance);
-[[nodiscard]] Work pointWork(const ExpectedPoint& point);
+[[nodiscard]] Work measureWork(const ReferenceMeasurement& expected, double tolerance);
+[[nodiscard]] Work pointWork(const ReferencePoint& point);
 [[nodiscard]] Work pointWork(std::shared_ptr<const OrganVoxels> organ);
 
 // Without the body's truth (desk_works.cpp).
@@ -32,6 +32,6 @@ using Work = std::unique_ptr<StepWork>;
 // What several of them share.
 [[nodiscard]] Message noImage();
 /// What was measured in an image, as an attempt keeps it.
-[[nodiscard]] CaliperReading inWorld(const HandedMeasurement& handed, const ScanState& image);
+[[nodiscard]] CaliperReading inWorld(const MeasurementSubmission& handed, const ScanState& image);
 
 }  // namespace ew

@@ -33,7 +33,7 @@ const char* wordOf(FilterKind kind) {
 }
 
 struct TruthFrame {
-  GreyImage picture;
+  GreyImage image;
   double time_s = 0.0;
   int sequence = 0;
   std::vector<Transform<frame::Camera, frame::Tool>> poses;
@@ -53,11 +53,11 @@ Result<GreyImage> readPgm(const fs::path& file, const CameraModel& camera) {
   in.get();
   if (!in || magic != "P5" || width != camera.width || height != camera.height || most != 255)
     return failure(ErrorCode::badHeader,
-                   say<"%1 is no grey PGM picture of %2 x %3 pixels; make the views again.">(file.filename(), camera.width, camera.height));
-  GreyImage picture(width, height);
-  in.read(reinterpret_cast<char*>(picture.pixels.data()), static_cast<std::streamsize>(picture.pixels.size()));
+                   say<"%1 is no grey PGM image of %2 x %3 pixels; make the views again.">(file.filename(), camera.width, camera.height));
+  GreyImage image(width, height);
+  in.read(reinterpret_cast<char*>(image.pixels.data()), static_cast<std::streamsize>(image.pixels.size()));
   if (!in) return failure(ErrorCode::truncated, say<"%1 ends too early; make the views again.">(file.filename()));
-  return picture;
+  return image;
 }
 
 MarkerBody bodyFrom(const JsonFields& fields) {
@@ -103,9 +103,9 @@ Result<TruthViews> readViews(const TrackingBenchOptions& options, Progress& prog
       std::copy_n(poses.begin() + static_cast<std::ptrdiff_t>(16 * b), 16, rows.begin());
       frame.poses.push_back({matrixFromRows(rows)});
     }
-    auto picture = readPgm(options.views / fs::path(file).filename(), views.camera);
-    if (!picture) return passOn(picture.error());
-    frame.picture = *std::move(picture);
+    auto image = readPgm(options.views / fs::path(file).filename(), views.camera);
+    if (!image) return passOn(image.error());
+    frame.image = *std::move(image);
     views.frames.push_back(std::move(frame));
   }
   if (reading.problem()) return passOn(*reading.problem());
@@ -113,11 +113,11 @@ Result<TruthViews> readViews(const TrackingBenchOptions& options, Progress& prog
 }
 
 /// Each pixel the mean of four.
-GreyImage halved(const GreyImage& picture) {
-  GreyImage half(picture.width / 2, picture.height / 2);
+GreyImage halved(const GreyImage& image) {
+  GreyImage half(image.width / 2, image.height / 2);
   for (int y = 0; y < half.height; ++y) {
-    const std::uint8_t* const above = viewOf(picture).row(2 * y);
-    const std::uint8_t* const below = viewOf(picture).row(2 * y + 1);
+    const std::uint8_t* const above = viewOf(image).row(2 * y);
+    const std::uint8_t* const below = viewOf(image).row(2 * y + 1);
     for (int x = 0; x < half.width; ++x)
       viewOf(half).at(x, y) = static_cast<std::uint8_t>((above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1] + 2) / 4);
   }
@@ -185,11 +185,10 @@ class TrackingRun {
         filter_.reset();
       }
       sequence = frame.sequence;
-      const GreyImage smaller = setting_.half ? halved(frame.picture) : GreyImage{};
-      const ImageView<const std::uint8_t> picture = setting_.half ? viewOf(smaller) : viewOf(frame.picture);
+      const GreyImage smaller = setting_.half ? halved(frame.image) : GreyImage{};
+      const ImageView<const std::uint8_t> image = setting_.half ? viewOf(smaller) : viewOf(frame.image);
       const double begin_s = threadTime_s();
-      const auto pose =
-          setting_.plain ? plainBoardPoses(*model, {views_.bodies[0]}, picture).front() : shown(*tracker, picture, frame.time_s);
+      const auto pose = setting_.plain ? plainBoardPoses(*model, {views_.bodies[0]}, image).front() : shown(*tracker, image, frame.time_s);
       times_us_.push_back(1e6 * (threadTime_s() - begin_s));
       if (pose) compare(*pose, frame);
     }
@@ -197,9 +196,9 @@ class TrackingRun {
   }
 
  private:
-  static std::optional<Transform<frame::Camera, frame::Tool>> shown(CameraTracker& tracker, ImageView<const std::uint8_t> picture,
+  static std::optional<Transform<frame::Camera, frame::Tool>> shown(CameraTracker& tracker, ImageView<const std::uint8_t> image,
                                                                     double time_s) {
-    const BodySight body = tracker.track(picture, time_s).bodies[0];
+    const BodySight body = tracker.track(image, time_s).bodies[0];
     if (body.state != TrackingState::live) return {};
     return body.bodyToCamera;
   }

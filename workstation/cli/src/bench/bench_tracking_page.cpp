@@ -6,10 +6,10 @@ namespace ew {
 
 std::vector<BenchSection> trackingSections(const nlohmann::json& report) {
   BenchSection section;
-  section.title = "A camera as tracker: how exact a probe's place is, and what a picture costs";
+  section.title = "A camera as tracker: how exact a probe's place is, and what an image costs";
   section.text =
       std::to_string(report["frames"].get<std::size_t>()) +
-      " pictures of paper bodies whose truth is known, by a camera with a lens that bends, noise, uneven light and paper that is not "
+      " images of paper bodies whose truth is known, by a camera with a lens that bends, noise, uneven light and paper that is not "
       "flat; processor time of one thread. Upwards: how many times the median error at the transducer's face goes into a "
       "millimetre. Poses that are not shown do not count as errors; how many are shown stands in the table.";
   section.axis = {.title = "exactness, 1 over the median error in mm", .unit = "per mm", .decimals = 2, .smallestStep = 0.5};

@@ -15,8 +15,8 @@ struct TrackingEntry final : BenchEntry {
   int frames = 0;
 
   void addOptions(CLI::App& app) override {
-    app.add_option("VIEWS", views, "A folder of pictures with views.json, which says where everything was")->required()->type_name("DIR");
-    addCount(app, "--frames", frames, 0, 1000000, "Pictures at most; 0: all (0)");
+    app.add_option("VIEWS", views, "A folder of images with views.json, which says where everything was")->required()->type_name("DIR");
+    addCount(app, "--frames", frames, 0, 1000000, "Images at most; 0: all (0)");
   }
 
   [[nodiscard]] Result<void> measure(Run& run, BenchResults& results, Progress& progress) override {

@@ -8,7 +8,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/case.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/reports/attempt_measurements.h"
 #include "ew/reports/report_document.h"
 #include "ew/reports/report_files.h"
@@ -85,7 +85,7 @@ class Who {
   std::optional<Pseudonyms> codes_;
 };
 
-nlohmann::json summaryOf(const AssessedAttempt& one, const std::string& who) {
+nlohmann::json summaryOf(const AttemptAssessment& one, const std::string& who) {
   nlohmann::json made = {
       {"attempt", one.folder.filename().string()}, {"case", one.attempt.caseId}, {"lesson", one.attempt.lessonId}, {"who", who}};
   if (one.problem) made["problem"] = one.problem->sentence();
@@ -95,7 +95,7 @@ nlohmann::json summaryOf(const AssessedAttempt& one, const std::string& who) {
   return made;
 }
 
-void show(const AssessedAttempt& one, const std::string& who, Run& run) {
+void show(const AttemptAssessment& one, const std::string& who, Run& run) {
   run.out() << one.folder.filename().string() << "  " << one.attempt.caseId << " " << one.attempt.lessonId << "  " << who << "  ";
   if (!one.score) {
     run.out() << "not scored: " << one.problem->sentence() << "\n";
@@ -108,8 +108,8 @@ void show(const AssessedAttempt& one, const std::string& who, Run& run) {
             << "\n";
 }
 
-Result<void> writeScores(const std::vector<AssessedAttempt>& all, const fs::path& folder, Run& run) {
-  for (const AssessedAttempt& one : all)
+Result<void> writeScores(const std::vector<AttemptAssessment>& all, const fs::path& folder, Run& run) {
+  for (const AttemptAssessment& one : all)
     if (one.score)
       if (auto written =
               writeFileSafely(run.outputs.staged(folder / (one.folder.filename().string() + ".json")), jsonOf(*one.score).dump(1) + "\n");
@@ -142,7 +142,7 @@ Result<std::size_t> writeDicom(const AssessArguments& arguments, const std::vect
     if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, run.stopped);
     const auto attempt = readReportedAttempt(folder, &results);
     if (!attempt) continue;  // said where it is scored
-    const ReportedLesson lesson = readReportedLesson(attempt->attempt.caseId, attempt->attempt.lessonId, library, {});
+    const ReportLesson lesson = readReportedLesson(attempt->attempt.caseId, attempt->attempt.lessonId, library, {});
     const auto files = writeAttemptMeasurements(*attempt, lesson, *codes, arguments.names, library, run.outputs.staged(arguments.dicom));
     if (!files) return passOn(files.error());
     count += files->size();
@@ -168,7 +168,7 @@ Result<void> announce(const AssessArguments& arguments, const std::vector<fs::pa
   return {};
 }
 
-Result<void> writeOutputs(const AssessArguments& arguments, const std::vector<AssessedAttempt>& all, const std::vector<fs::path>& folders,
+Result<void> writeOutputs(const AssessArguments& arguments, const std::vector<AttemptAssessment>& all, const std::vector<fs::path>& folders,
                           const fs::path& library, Run& run) {
   if (!arguments.output.empty())
     if (auto written = writeScores(all, arguments.output, run); !written) return written;
@@ -190,7 +190,7 @@ Result<int> assessAll(const AssessArguments& arguments, Run& run) {
   if (!folders) return passOn(folders.error());
   if (!arguments.lesson.empty())
     std::erase_if(*folders, [&](const fs::path& folder) {
-      const auto kept = KeptAttempt::open(folder);
+      const auto kept = AttemptFolder::open(folder);
       return kept && kept->attempt().lessonId != arguments.lesson;
     });
   if (auto announced = announce(arguments, *folders, library, run); !announced) return passOn(announced.error());
@@ -204,7 +204,7 @@ Result<int> assessAll(const AssessArguments& arguments, Run& run) {
   run.progress.clear();
   std::size_t fresh = 0, problems = 0;
   run.report.details["attempts"] = nlohmann::json::array();
-  for (const AssessedAttempt& one : all) {
+  for (const AttemptAssessment& one : all) {
     fresh += one.score && !one.wasUpToDate ? 1 : 0;
     problems += one.problem ? 1 : 0;
     const std::string name = (*who)(one.attempt);

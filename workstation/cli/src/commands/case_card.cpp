@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "ew/imaging/picture.h"
+#include "ew/imaging/display_image.h"
 #include "ew/library/case_card.h"
-#include "ew/scanning/first_picture.h"
-#include "ew/scanning/picture_file.h"
+#include "ew/scanning/display_image_file.h"
+#include "ew/scanning/first_image.h"
 #include "run/volume_input.h"
 
 namespace ew::cli {
@@ -16,10 +16,10 @@ struct CardArguments {
   std::string output;
 };
 
-/// The picture above the strip in which the words are burnt.
-RgbImage aboveStrip(const RgbImage& picture) {
-  RgbImage card(picture.width, picture.height + kCardStripHeight_px);
-  std::copy(picture.pixels.begin(), picture.pixels.end(), card.pixels.begin());
+/// The image above the strip in which the words are burnt.
+RgbImage aboveStrip(const RgbImage& image) {
+  RgbImage card(image.width, image.height + kCardStripHeight_px);
+  std::copy(image.pixels.begin(), image.pixels.end(), card.pixels.begin());
   return card;
 }
 
@@ -36,12 +36,13 @@ Result<int> makeCard(const CardArguments& arguments, Run& run) {
   ScanSubject subject = subjectOf(*found, *contents);
   if (auto formed = formEchoes(run, subject, found->scene); !formed) return passOn(formed.error());
   Scanner scanner;
-  const auto picture = firstPicture(scanner, subject, *there, kCardPictureWidth_px, kCardPictureHeight_px);
-  if (!picture)
+  const auto image = firstImage(scanner, subject, *there, kCardImageWidth_px, kCardImageHeight_px);
+  if (!image)
     return failure(ErrorCode::badUsage,
-                   say<"The case allows none of the probes there are, so it has no first picture; correct \"probes\" in its case.json.">());
-  if (auto written = writePicture(aboveStrip(composed(*picture)), 1.0, run.outputs.staged(file)); !written) return passOn(written.error());
-  run.say("Wrote the card's picture of " + found->title + ".");
+                   say<"The case allows none of the probes there are, so it has no first image; correct \"probes\" in its case.json.">());
+  if (auto written = writeDisplayImage(aboveStrip(composed(*image)), 1.0, run.outputs.staged(file)); !written)
+    return passOn(written.error());
+  run.say("Wrote the card's image of " + found->title + ".");
   return kDone;
 }
 
@@ -49,7 +50,7 @@ Result<int> makeCard(const CardArguments& arguments, Run& run) {
 
 void addCaseCard(CLI::App& group, Selection& selection) {
   auto arguments = std::make_shared<CardArguments>();
-  auto& app = addCommand(group, selection, "card", "Make the picture that a case's card shows where the case is not prepared yet",
+  auto& app = addCommand(group, selection, "card", "Make the image that a case's card shows where the case is not prepared yet",
                          {"case card my-cases/knee", "case card liver-cyst -o card.png"},
                          [arguments](Run& run) { return makeCard(*arguments, run); });
   app.add_option("CASE", arguments->chosen, "A case folder, its case.json, or the id of a case; it is prepared first where it has to be")

@@ -4,7 +4,7 @@
 
 namespace ew::cli {
 
-/// `case card`: the picture that a case shows before it is prepared.
+/// `case card`: the image that a case shows before it is prepared.
 void addCaseCard(CLI::App& group, Selection& selection);
 
 }  // namespace ew::cli

@@ -74,7 +74,7 @@ std::map<std::string, std::string> unitsOfPatient(const Case& opened, Run& run) 
   if (!isAsked || opened.volume.recipe.empty()) return units;
   const auto truth = loadCaseTruth(opened, run.progress);
   if (!truth) return units;  // the patient cannot be read: 'case validate' says why
-  for (const ExpectedMeasurement& each : truth->measurements) units[each.name] = each.unit;
+  for (const ReferenceMeasurement& each : truth->measurements) units[each.name] = each.unit;
   return units;
 }
 
@@ -136,7 +136,7 @@ Result<void> addFolder(Listing& all, const std::filesystem::path& folder, const 
 Result<Listing> everyCase(Run& run) {
   Listing all;
   if (auto own = addFolder(all, ownCasesFolder(), "own", run); !own) return passOn(own.error());
-  for (const PublishedCase& each : listPublished(libraryFolder())) {
+  for (const CaseRevision& each : listPublished(libraryFolder())) {
     if (auto kept = run.input(each.folder / "case.json"); !kept) return passOn(kept.error());
     auto opened = loadCase(each.folder);
     if (opened)

@@ -8,7 +8,7 @@
 #include "ew/core/numbers.h"
 #include "ew/library/bundle.h"
 #include "ew/library/instructor_log.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/preparation.h"
 #include "ew/library/publishing.h"
 #include "ew/library/sealed_answers.h"
@@ -155,7 +155,7 @@ Result<int> exportCase(const LibraryArguments& arguments, Run& run) {
   return kDone;
 }
 
-void tellPublished(const PublishedCase& published, const std::string& what, const std::string& nothing, Run& run) {
+void tellPublished(const CaseRevision& published, const std::string& what, const std::string& nothing, Run& run) {
   run.isPublished = true;
   run.report.outputs.push_back(published.folder.string());
   run.report.quality = {{"revision", published.revision}, {"was_there", published.wasThere}};
@@ -265,7 +265,7 @@ Result<std::vector<Checked>> checkedBy(const std::string& named, Run& run) {
   std::error_code ignored;
   std::vector<Checked> all;
   if (!fs::exists(named, ignored))
-    for (const PublishedCase& each : takenPublished(libraryFolder(), named))
+    for (const CaseRevision& each : takenPublished(libraryFolder(), named))
       all.push_back({named + ", revision " + std::to_string(each.revision), each.folder});
   if (!all.empty()) return all;
   if (isBundle(named)) return std::vector<Checked>{{named, {}}};

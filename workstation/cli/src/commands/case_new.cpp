@@ -182,7 +182,7 @@ Result<NewCase> wantedOf(const NewCaseArguments& arguments, Run& run) {
   return wanted;
 }
 
-void tellMade(const NewCaseArguments& arguments, const NewCasePlan& plan, const MadeCase& made, Run& run) {
+void tellMade(const NewCaseArguments& arguments, const NewCasePlan& plan, const CaseCreation& made, Run& run) {
   auto& quality = run.report.quality;
   quality["forecast_mib"] = static_cast<double>(plan.bytes) / 1048576.0;
   quality["forecast_s"] = plan.seconds;
@@ -280,10 +280,10 @@ void addCaseNew(CLI::App& group, Selection& selection) {
                  "one length or three")
       ->type_name("X[,Y,Z]");
   addNumberList(app, "--fan", arguments->fan, 6, "LEFT RIGHT X Y START STOP",
-                "Which part of a recording's pictures is image: angles (degrees from down), apex and radii of its fan (pixels; as its "
-                "device set says, else found in the pictures)");
+                "Which part of a recording's images is image: angles (degrees from down), apex and radii of its fan (pixels; as its "
+                "device set says, else found in the images)");
   app.add_flag("--whole-frames", arguments->takesWholeFrames,
-               "Look for no fan in a recording's pictures; what its device set says still holds");
+               "Look for no fan in a recording's images; what its device set says still holds");
   addCount(app, "--time-step", arguments->timeStep, 1, 1'000'000, "Which volume of a file that holds several, from 1");
   app.add_option("--probe-side", arguments->probeSide,
                  "From which side a volume was scanned: front, back, left, right, upper or lower, as its file has them; without it the "
@@ -297,7 +297,7 @@ void addCaseNew(CLI::App& group, Selection& selection) {
   app.add_flag(
       "--accept-small", arguments->acceptsSmall,
       "Make the case also when less than a tenth of the recording's pixels or frames is used, or when its size can hardly be meant");
-  app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the picture stays the recorded one");
+  app.add_flag("--no-level", arguments->withoutLevel, "No level for live echoes: the image stays the recorded one");
   app.add_option("--attribution", arguments->attribution, "Whom to name for the recording")->type_name("TEXT");
   app.add_option("--licence", arguments->licence, "Under which licence the recording may be passed on")->type_name("TEXT");
 }

@@ -3,7 +3,7 @@
 #include "commands/case_library.h"
 #include "ew/library/bundle.h"
 #include "ew/library/instructor_log.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/sealed_answers.h"
 #include "run/arguments.h"
 #include "run/command.h"
@@ -37,7 +37,7 @@ Result<fs::path> folderOfExamination(const std::string& named, const fs::path& s
 }
 
 /// What becomes the library for `assess`: the whole case, and attempts at it.
-Result<OpenedExamination> fill(const UnsealArguments& arguments, const fs::path& library, Run& run) {
+Result<OpenExamination> fill(const UnsealArguments& arguments, const fs::path& library, Run& run) {
   const auto passphrase = readPassphrase(arguments.passphrase, say<"Passphrase of your key:">());
   if (!passphrase) return passOn(passphrase.error());
   const auto key = openSecretKey(instructorKeyFile(), *passphrase);

@@ -21,10 +21,10 @@ constexpr int kWarning_px = 30;  // below all
 
 struct Tile {
   std::string name;
-  RgbImage picture;
+  RgbImage image;
 };
 
-/// One tile's setting: the console, the scene, and what happens before the picture is taken.
+/// One tile's setting: the console, the scene, and what happens before the image is taken.
 struct Setting {
   Probe probe;
   Pose pose;
@@ -53,7 +53,7 @@ Pose rocked(const Pose& pose, double angle_deg) {
   return turned;
 }
 
-RgbImage pictureOf(const SheetSource& source, const Setting& setting, const glm::ivec2& size_px) {
+RgbImage imageOf(const SheetSource& source, const Setting& setting, const glm::ivec2& size_px) {
   Scanner scanner;
   ScanSubject subject = source.subject;
   if (!setting.withLabels) subject.labels = nullptr;
@@ -65,7 +65,7 @@ RgbImage pictureOf(const SheetSource& source, const Setting& setting, const glm:
                   .pose = {},
                   .gaps_mm = setting.gaps_mm,
                   .body = setting.body};
-  Picture shown;
+  DisplayImage shown;
   for (int n = 0; n < setting.frames; ++n) {
     state.pose = slid(setting.pose, setting.frames > 1 ? setting.slide_mm * (static_cast<double>(n) / (setting.frames - 1) - 1.0) : 0.0);
     state.number = static_cast<std::uint64_t>(n);
@@ -87,8 +87,8 @@ RgbImage arranged(const std::vector<Tile>& tiles, const glm::ivec2& tile_px) {
   RgbImage sheet(kColumns * tile_px.x, rows * (tile_px.y + kName_px) + kWarning_px);
   for (std::size_t n = 0; n < tiles.size(); ++n) {
     const int left = static_cast<int>(n % kColumns) * tile_px.x, top = static_cast<int>(n / kColumns) * (tile_px.y + kName_px);
-    const RgbImage& picture = tiles[n].picture;
-    for (int y = 0; y < picture.height; ++y) std::copy_n(viewOf(picture).row(y), picture.width, viewOf(sheet).row(top + y) + left);
+    const RgbImage& image = tiles[n].image;
+    for (int y = 0; y < image.height; ++y) std::copy_n(viewOf(image).row(y), image.width, viewOf(sheet).row(top + y) + left);
     const ImageView<Rgb> below{viewOf(sheet).row(top + tile_px.y) + left, tile_px.x, kName_px, sheet.width};
     burnCaption(below, tiles[n].name);
   }
@@ -111,7 +111,7 @@ class Sheet {
     plain_.scene.tissues = source.subject.scene.tissues;
   }
 
-  void add(const std::string& name, const Setting& setting) { tiles_.push_back({lowerCase(name), pictureOf(source_, setting, tile_px_)}); }
+  void add(const std::string& name, const Setting& setting) { tiles_.push_back({lowerCase(name), imageOf(source_, setting, tile_px_)}); }
   void add(const Pair& pair) {
     Setting setting = plain_;
     if (pair.both) pair.both(setting);
@@ -123,7 +123,7 @@ class Sheet {
     for (const Pair& pair : pairs) add(pair);
   }
   [[nodiscard]] const Setting& plain() const { return plain_; }
-  [[nodiscard]] RgbImage picture() const { return arranged(tiles_, tile_px_); }
+  [[nodiscard]] RgbImage image() const { return arranged(tiles_, tile_px_); }
 
  private:
   const SheetSource& source_;
@@ -263,7 +263,7 @@ RgbImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px) {
   sheet.add(pairsOfKnobs());
   sheet.add(pairsOfWholeScenes(source));
   for (const Probe& probe : source.probes) addProbe(sheet, probe, source.subject.scene);
-  return sheet.picture();
+  return sheet.image();
 }
 
 }  // namespace ew::cli

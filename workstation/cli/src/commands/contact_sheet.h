@@ -19,8 +19,8 @@ struct SheetSource {
   Pose interfacePose;  ///< of the tiles of reverberation: where a strong smooth interface lies in view
 };
 
-/// One picture of many: every effect off and on, side by side, then every probe with the scene's effects. Each tile has its name below it;
-/// along the lower edge of the whole is room for the words that every exported picture carries.
+/// One image of many: every effect off and on, side by side, then every probe with the scene's effects. Each tile has its name below it;
+/// along the lower edge of the whole is room for the words that every exported image carries.
 /// @param tile_px size of a tile without its name, at least 160 x 120
 [[nodiscard]] RgbImage contactSheet(const SheetSource& source, const glm::ivec2& tile_px);
 

@@ -52,7 +52,7 @@ Result<Hold> holdOf(const ExpertStation& station, const ExpertGround& ground) {
   std::optional<Pose> pose = station.pose;
   if (station.plane == "start") pose = ground.opened.startPose;
   std::string names = "start";
-  for (const ExpectedPlane& plane : ground.truth.planes) {
+  for (const ReferencePlane& plane : ground.truth.planes) {
     names += ", " + plane.name;
     if (plane.name == station.plane) pose = Pose{.probeToWorld = plane.probeToWorld};
   }

@@ -122,7 +122,7 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
   if (!arguments.mask.empty())
     if (auto announced = run.output(arguments.mask, ".mha"); !announced) return passOn(announced.error());
   PartOfProgress reading(run.progress, 0.0, 0.8), writing(run.progress, 0.8, 1.0);
-  Result<ImportedFile> read = [&] {
+  Result<FileImportResult> read = [&] {
     const StepClock clock(run.report, "read");
     return importFile(arguments.file, *answers, reading);
   }();
@@ -138,7 +138,7 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
   const auto out = run.outputs.staged(arguments.output);
   if (read->volume) {
     if (!arguments.mask.empty())
-      return failure(ErrorCode::badUsage, say<"--colour-mask is for pictures; %1 became a volume.">(arguments.file));
+      return failure(ErrorCode::badUsage, say<"--colour-mask is for images; %1 became a volume.">(arguments.file));
     const Grid& grid = read->volume->grid;
     if (auto written = writeVolume(*read->volume, out, writing); !written) return passOn(written.error());
     run.report.quality = {{"voxels", grid.voxelCount()}, {"spacing_mm", {grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z}}};
@@ -148,8 +148,8 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
     return kDone;
   }
   if (hasEnding(arguments.output, ".mhd"))
-    return failure(ErrorCode::badUsage, say<"%1 holds pictures without a volume; end the output's name in .igs.mha.">(arguments.file));
-  Cine& cine = *read->pictures;
+    return failure(ErrorCode::badUsage, say<"%1 holds images without a volume; end the output's name in .igs.mha.">(arguments.file));
+  Cine& cine = *read->images;
   if (auto written = writeSequence(cine.sequence, out, writing); !written) return passOn(written.error());
   if (!arguments.mask.empty()) {
     Sequence mask = cine.sequence;
@@ -173,7 +173,7 @@ Result<int> import(const ImportArguments& arguments, Run& run) {
 void addImport(CLI::App& root, Selection& selection) {
   auto arguments = std::make_shared<ImportArguments>();
   auto& app = addCommand(
-      root, selection, "import", "Turn DICOM, Kretz, NIfTI, raw samples or pictures into a volume or a sequence without patient fields",
+      root, selection, "import", "Turn DICOM, Kretz, NIfTI, raw samples or images into a volume or a sequence without patient fields",
       {"import cine.dcm -o cine.igs.mha --region 1", "import volume.vol -o volume.mha --spacing 0.5",
        "import samples.raw -o volume.mha --raw 256x256x180:u8:0.5,0.5,1.2", "import slices/ -o volume.mha --spacing 0.3,0.3,0.5",
        "import still.dcm -o still.igs.mha --region all --pixel-mm 0.2 --colour keep-grey --report removed.json"},
@@ -184,21 +184,21 @@ void addImport(CLI::App& root, Selection& selection) {
   app.add_option("-o,--output", arguments->output, "A volume .mha or .mhd; for cines and planes a sequence .igs.mha")
       ->required()
       ->type_name("OUT");
-  app.add_option("--region", arguments->region, "Ultrasound region of a DICOM file, from 1; all: the whole picture")->type_name("N");
-  app.add_option("--pixel-mm", arguments->pixel_mm, "Size of a pixel of DICOM pictures in mm")->type_name("X,Y");
+  app.add_option("--region", arguments->region, "Ultrasound region of a DICOM file, from 1; all: the whole image")->type_name("N");
+  app.add_option("--pixel-mm", arguments->pixel_mm, "Size of a pixel of DICOM images in mm")->type_name("X,Y");
   addNumber(app, "--rate", arguments->rate_hz, {0.001, 100000.0},
             "Frames a second of a DICOM cine that does not say it, or says it wrongly");
   app.add_option("--spacing", arguments->spacing_mm,
-                 "Spacing in mm of pictures and of volumes that do not say it; of what Kretz beams become")
+                 "Spacing in mm of images and of volumes that do not say it; of what Kretz beams become")
       ->type_name("X,Y,Z");
   app.add_option("--colour", arguments->colour, "keep-grey: coloured pixels as their luminance; drop-colour: as black")
       ->check(CLI::IsMember({"keep-grey", "drop-colour"}))
       ->type_name("RULE");
-  app.add_option("--colour-mask", arguments->mask, "Also write where the pictures were coloured (255)")->type_name("OUT.igs.mha");
-  app.add_option("--blank", arguments->blank, "Make this rectangle of every picture black; may be given several times")
+  app.add_option("--colour-mask", arguments->mask, "Also write where the images were coloured (255)")->type_name("OUT.igs.mha");
+  app.add_option("--blank", arguments->blank, "Make this rectangle of every image black; may be given several times")
       ->type_name("X,Y,W,H")
       ->allow_extra_args(false);
-  app.add_flag("--keep-text", arguments->keepText, "Take the whole picture although the file says that text is burned in");
+  app.add_flag("--keep-text", arguments->keepText, "Take the whole image although the file says that text is burned in");
   addCount(app, "--time-step", arguments->timeStep, 1, 1000000, "Which of several volumes in the file, from 1");
   app.add_option(
          "--raw", arguments->raw,
@@ -206,7 +206,7 @@ void addImport(CLI::App& root, Selection& selection) {
       ->type_name("DIMS:TYPE:SPACING[:OFFSET]");
   app.add_flag("--mirrored", arguments->mirrored, "Turn the elevational axis of a Kretz volume over");
   app.add_flag("--accept-small", arguments->acceptsSmall,
-               "Import also when less than a tenth of each picture is kept, DICOM stills are missing between others, or the size of a "
+               "Import also when less than a tenth of each image is kept, DICOM stills are missing between others, or the size of a "
                "voxel can hardly be meant");
   app.add_flag("--planes", arguments->asSequence, "Write the planes of an Enhanced US Volume as a sequence with their poses");
 }

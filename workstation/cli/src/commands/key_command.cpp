@@ -3,7 +3,7 @@
 #include "ew/library/access.h"
 #include "ew/library/instructor_key.h"
 #include "ew/library/instructor_log.h"
-#include "ew/library/moment.h"
+#include "ew/library/timestamp.h"
 #include "run/command.h"
 #include "run/passphrase_input.h"
 
@@ -88,7 +88,7 @@ Result<int> changes(Run& run) {
   const auto log = readInstructorLog(libraryFolder());
   if (!log) return passOn(log.error());
   for (const InstructorChange& each : log->changes) {
-    run.out() << momentText(each.at) << "  " << each.who << "  " << each.what;
+    run.out() << timestampText(each.at) << "  " << each.who << "  " << each.what;
     if (!each.of.empty()) run.out() << "  " << each.of;
     if (!each.before.is_null() || !each.after.is_null()) run.out() << "  " << each.before.dump() << " -> " << each.after.dump();
     run.out() << "\n";

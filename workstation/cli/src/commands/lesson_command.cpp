@@ -8,7 +8,7 @@
 #include "ew/library/case_words.h"
 #include "ew/library/course.h"
 #include "ew/library/lesson_links.h"
-#include "ew/scanning/first_picture.h"
+#include "ew/scanning/first_image.h"
 #include "run/arguments.h"
 #include "run/command.h"
 #include "run/volume_input.h"

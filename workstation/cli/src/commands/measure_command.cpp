@@ -165,7 +165,7 @@ void print(const Worksheet& sheet, const MeasureArguments& arguments, std::ostre
   out << sheet.title.in(arguments.language) << " (package " << sheet.package << ", version " << sheet.packageVersion << ")";
   if (sheet.gestation_weeks) out << ", " << gestationText(*sheet.gestation_weeks) << " by dates";
   out << "\n" << kTrainingOnly << "\n";
-  for (const FilledSection& section : sheet.sections) {
+  for (const SectionValues& section : sheet.sections) {
     out << "\n" << section.title.in(arguments.language) << "\n";
     for (const WorksheetRow& row : section.rows) {
       std::string line = padded(row.label + (row.side.empty() ? "" : "/" + row.side), kLabelWidth);
@@ -263,7 +263,7 @@ Result<int> fillSheet(const MeasureArguments& arguments, Run& run) {
   if (arguments.json.empty() && arguments.csv.empty() && arguments.pdf.empty() && arguments.dicom.empty())
     print(sheet, arguments, run.out());
   std::size_t results = 0, without = 0;
-  for (const FilledSection& section : sheet.sections)
+  for (const SectionValues& section : sheet.sections)
     for (const WorksheetRow& row : section.rows) {
       results += row.isFormula && row.value ? 1 : 0;
       without += row.isFormula && !row.value ? 1 : 0;

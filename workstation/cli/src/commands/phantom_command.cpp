@@ -124,7 +124,7 @@ Result<void> writeSurfaces(const PhantomArguments& arguments, const Patient& pat
 }
 
 /// How many voxels each organ has.
-void reportOrgans(const Patient& patient, const VoxelisedPatient& made, Run& run) {
+void reportOrgans(const Patient& patient, const VoxelPatient& made, Run& run) {
   std::array<std::size_t, 256> voxelsOf{};
   for (const auto label : made.labels) ++voxelsOf[label];
   const auto& grid = made.volume.grid;

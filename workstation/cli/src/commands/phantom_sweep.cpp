@@ -40,7 +40,7 @@ std::string posesText(const VirtualSweep& sweep) {
 std::size_t invalidFrames(const Sequence& sequence) {
   const auto lost = [](const SequenceFrame& frame) {
     return std::any_of(frame.transforms.begin(), frame.transforms.end(),
-                       [](const NamedTransform& transform) { return transform.status != PoseStatus::ok; });
+                       [](const FrameTransform& transform) { return transform.status != PoseStatus::ok; });
   };
   return static_cast<std::size_t>(std::count_if(sequence.frames.begin(), sequence.frames.end(), lost));
 }

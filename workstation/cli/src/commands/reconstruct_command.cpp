@@ -259,7 +259,7 @@ void addReconstruct(CLI::App& root, Selection& selection) {
                          [arguments](Run& run) { return reconstructSweep(*arguments, run); });
   app.add_option("SWEEP", arguments->sweep,
                  "The tracked sequence: .igs.mha, .igs.mhd, .igs.nrrd and the like; with --poses also images alone: a film, a DICOM cine, "
-                 "a TIFF, a folder of pictures, a volume of slices")
+                 "a TIFF, a folder of images, a volume of slices")
       ->required()
       ->type_name("");
   app.add_option("-o,--output", arguments->output, "The volume: .mha, or .mhd with its .raw")->required()->type_name("VOLUME.mha");

@@ -95,7 +95,7 @@ Result<void> announcePhases(Run& run, const std::string& output, const std::stri
   return {};
 }
 
-Result<int> writePhases(const OpenedSweep& opened, const AcquisitionArguments& arguments, const std::string& output,
+Result<int> writePhases(const SweepInput& opened, const AcquisitionArguments& arguments, const std::string& output,
                         const std::string& coverage, Run& run, Progress& progress) {
   GateOptions gating;
   gating.by = gateOf(arguments.gate);

@@ -30,7 +30,7 @@ void addAcquisitionOptions(CLI::App& app, AcquisitionArguments& arguments);
 [[nodiscard]] Result<void> announcePhases(Run& run, const std::string& output, const std::string& coverage, int phases);
 
 /// Gates the sweep and writes one volume per phase.
-[[nodiscard]] Result<int> writePhases(const OpenedSweep& opened, const AcquisitionArguments& arguments, const std::string& output,
+[[nodiscard]] Result<int> writePhases(const SweepInput& opened, const AcquisitionArguments& arguments, const std::string& output,
                                       const std::string& coverage, Run& run, Progress& progress);
 
 }  // namespace ew::cli

@@ -10,7 +10,7 @@
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
 #include "ew/library/course.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/records/record_store_settings.h"
 #include "ew/records/statement_outbox.h"
 #include "ew/records/xapi.h"
@@ -61,7 +61,7 @@ std::vector<XapiMetric> metricsFor(const AttemptResult& result) {
 Result<void> scoreBefore(const std::vector<fs::path>& folders, AttemptResults& results, const fs::path& library, Run& run) {
   std::vector<fs::path> unscored;
   for (const fs::path& folder : folders) {
-    const auto kept = KeptAttempt::open(folder);
+    const auto kept = AttemptFolder::open(folder);
     if (!kept) continue;
     const auto& plan = results.planOf(kept->attempt());
     if (plan && needsScore(results.of(folder, kept->attempt()), *plan)) unscored.push_back(folder);
@@ -88,7 +88,7 @@ Result<XapiOptions> sayingsOf(const RecordsArguments& arguments) {
 
 Result<std::vector<nlohmann::json>> statementsOfFolder(const fs::path& folder, XapiOptions options, const RecordsArguments& arguments,
                                                        const Pseudonyms& codes, AttemptResults& results, Run& run) {
-  const auto kept = KeptAttempt::open(folder);
+  const auto kept = AttemptFolder::open(folder);
   if (!kept) return passOn(kept.error());
   const Attempt& attempt = kept->attempt();
   options.pseudonym = codes.ofPerson(attempt.person);
@@ -229,7 +229,7 @@ void addPlaces(CLI::App& app, RecordsArguments& arguments) {
 }  // namespace
 
 void addLessonTo(XapiOptions& options, const Attempt& attempt, AttemptResults& results, const std::string& language) {
-  const TriedLesson* tried = results.lessonOf(attempt);
+  const AttemptLesson* tried = results.lessonOf(attempt);
   if (tried == nullptr) return;
   const CaseWords words = wordsOf(tried->home.folder, language);
   options.caseTitle = words.of(titleForTrainees(tried->home));

@@ -14,7 +14,7 @@
 
 #include "commands/records_arguments.h"
 #include "ew/core/numbers.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/sealed_answers.h"
 #include "ew/records/cmi5.h"
 #include "run/arguments.h"
@@ -184,13 +184,13 @@ Result<int> runWindow(const RecordsArguments& arguments, const std::vector<std::
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-struct LaunchedLesson {
+struct LessonLaunch {
   std::string caseId, lessonId;
   fs::path folder;
 };
 
 /// "CASE/LESSON" of the launch parameters; the folder is not looked for yet.
-Result<LaunchedLesson> lessonOf(const Cmi5Session& session) {
+Result<LessonLaunch> lessonOf(const Cmi5Session& session) {
   const std::string& asked = session.data().launchParameters;
   const std::size_t parts = asked.find('/');
   if (parts == std::string::npos || parts == 0 || parts + 1 == asked.size())
@@ -198,11 +198,11 @@ Result<LaunchedLesson> lessonOf(const Cmi5Session& session) {
                    say<"The course does not say which lesson it starts: its launch parameters are '%1'; its author has to put CASE/LESSON "
                        "there.">(asked),
                    {{"field", "launchParameters"}, {"found", asked}});
-  return LaunchedLesson{asked.substr(0, parts), asked.substr(parts + 1), {}};
+  return LessonLaunch{asked.substr(0, parts), asked.substr(parts + 1), {}};
 }
 
 /// The same with the folder of its case.
-Result<LaunchedLesson> lessonAtHand(const Cmi5Session& session, const RecordsArguments& arguments) {
+Result<LessonLaunch> lessonAtHand(const Cmi5Session& session, const RecordsArguments& arguments) {
   auto lesson = lessonOf(session);
   if (!lesson) return lesson;
   const auto folder = ew::findCase(lesson->caseId, arguments.libraryPlace());
@@ -214,9 +214,9 @@ Result<LaunchedLesson> lessonAtHand(const Cmi5Session& session, const RecordsArg
   return lesson;
 }
 
-using FoundAttempt = std::pair<fs::path, Attempt>;
+using AttemptEntry = std::pair<fs::path, Attempt>;
 
-Result<AttemptResult> resultOf(const FoundAttempt& attempt, const RecordsArguments& arguments, Run& run) {
+Result<AttemptResult> resultOf(const AttemptEntry& attempt, const RecordsArguments& arguments, Run& run) {
   AttemptResults results(arguments.libraryPlace());
   return resultToTell(attempt.first, attempt.second, results, arguments.libraryPlace(), true, run);
 }
@@ -269,14 +269,14 @@ Result<void> expectOwn(const Attempt& attempt, const Learner& learner, const Rec
 }
 
 /// What came of a launch.
-struct LaunchedAttempts {
-  std::optional<FoundAttempt> finished;  ///< that this launch began, the last of several
+struct LaunchOutcome {
+  std::optional<AttemptEntry> finished;  ///< that this launch began, the last of several
   bool hasOthers = false;                ///< somebody finished the lesson meanwhile in an attempt that this launch did not begin
   std::string other;                     ///< who else finished it in the window that this launch opened; empty: nobody
 };
-LaunchedAttempts attemptsOf(const std::string& launch, const Learner& learner, const LaunchedLesson& lesson, std::chrono::sys_seconds since,
-                            const RecordsArguments& arguments) {
-  LaunchedAttempts found;
+LaunchOutcome attemptsOf(const std::string& launch, const Learner& learner, const LessonLaunch& lesson, std::chrono::sys_seconds since,
+                         const RecordsArguments& arguments) {
+  LaunchOutcome found;
   const AttemptList list = listAttempts(attemptsFolder(arguments.libraryPlace()));
   const std::string first = firstPersonOf(launch, list);
   for (const auto& each : list.attempts) {
@@ -296,7 +296,7 @@ LaunchedAttempts attemptsOf(const std::string& launch, const Learner& learner, c
 Result<int> tellAttempt(const Cmi5Launch& launch, const Cmi5Options& options, const RecordsArguments& arguments, Run& run) {
   const fs::path folder = arguments.attempts.front();
   if (auto read = run.input(folder / "attempt.json"); !read) return passOn(read.error());
-  const auto kept = KeptAttempt::open(folder);
+  const auto kept = AttemptFolder::open(folder);
   if (!kept) return passOn(kept.error());
   const Attempt& attempt = kept->attempt();
   if (!attempt.finishedAt)
@@ -308,8 +308,8 @@ Result<int> tellAttempt(const Cmi5Launch& launch, const Cmi5Options& options, co
   if (!session) return passOn(session.error());
   const auto lesson = lessonOf(*session);
   if (!lesson) return passOn(lesson.error());
-  const TriedAs tried = triedAs(attempt);
-  if (tried != TriedAs{lesson->caseId, lesson->lessonId})
+  const TrialIdentity tried = triedAs(attempt);
+  if (tried != TrialIdentity{lesson->caseId, lesson->lessonId})
     return failure(
         ErrorCode::badUsage,
         say<"The course starts the lesson %1/%2, and the attempt is at %3/%4; nothing was told. Start that lesson in the "
@@ -348,7 +348,7 @@ Result<int> workThrough(const Cmi5Launch& launch, const Cmi5Options& options, co
       runWindow(arguments, {lesson->folder.string(), "--lesson", lesson->lessonId}, windowLaunchOf(*session, id), run.progress);
   if (!ended) return passOn(ended.error());
   std::optional<AttemptResult> result;
-  const LaunchedAttempts made = attemptsOf(id, learnerOf(launch), *lesson, begun, arguments);
+  const LaunchOutcome made = attemptsOf(id, learnerOf(launch), *lesson, begun, arguments);
   if (made.finished) {
     auto worked = resultOf(*made.finished, arguments, run);
     if (!worked) return passOn(worked.error());

@@ -129,18 +129,18 @@ Result<Found> byLandmarks(const RegisterArguments& arguments, const Side& fixed,
   return found;
 }
 
-/// Pictures: a displacement per pixel, brought into the coordinates of both headers.
+/// Images: a displacement per pixel, brought into the coordinates of both headers.
 Result<Found> byElastic2d(const RegisterArguments& arguments, const Side& fixed, const Side& moving, Run& run, Progress& progress,
                           const OnLevel& onLevel) {
   const Grid& f = fixed.volume.grid;
   const Grid& m = moving.volume.grid;
   if (f.dims.z != 1 || m.dims.z != 1)
     return failure(ErrorCode::badUsage,
-                   say<"--method elastic2d takes two pictures, but '%1' is a volume; cut a slice out of it, or use --method elastic3d.">(
+                   say<"--method elastic2d takes two images, but '%1' is a volume; cut a slice out of it, or use --method elastic3d.">(
                        f.dims.z != 1 ? arguments.fixed : arguments.moving));
   const glm::dvec2 pixel_mm(f.spacing_mm.x, f.spacing_mm.y);
   if (std::abs(m.spacing_mm.x / pixel_mm.x - 1.0) > 1e-3 || std::abs(m.spacing_mm.y / pixel_mm.y - 1.0) > 1e-3)
-    return failure(ErrorCode::badField, say<"The pixels of the two pictures are not of one size; resample one of them.">(),
+    return failure(ErrorCode::badField, say<"The pixels of the two images are not of one size; resample one of them.">(),
                    {{"field", "spacing"}});
   Elastic2dOptions options;
   options.singleResolution = arguments.singleResolution;
@@ -158,7 +158,7 @@ Result<Found> byElastic2d(const RegisterArguments& arguments, const Side& fixed,
   found.stop = result->stop;
   found.flat = true;
   // Pixel (0, 0) lay on pixel (0, 0): the rigid part takes one header's place to the other's, the warp happens before it.
-  // Across a flat picture nothing is seen, so where one header is left-handed and the other is not, that direction is turned over: the same
+  // Across a flat image nothing is seen, so where one header is left-handed and the other is not, that direction is turned over: the same
   // pixels on the same places, by a rotation and never by a mirror.
   glm::dmat3 across(1.0);
   across[2][2] = glm::determinant(m.directions) * glm::determinant(f.directions) < 0.0 ? -1.0 : 1.0;
@@ -523,7 +523,7 @@ void addRegister(CLI::App& root, Selection& selection) {
   addNumber(app, "--max-time", arguments->maxTime_s, {0.01, 1e6}, "elastic3d: stop with the best so far after so many seconds (no limit)");
   app.add_flag("--single-resolution", arguments->singleResolution, "elastic2d: the finest level alone, which fails where several converge");
   app.add_flag("--assess", arguments->assess,
-               "Also report local correlation, residuals and what is known of each region (not of pictures); a second or more");
+               "Also report local correlation, residuals and what is known of each region (not of images); a second or more");
   addCount(app, "--threads", arguments->threads, 0, 1024, "Threads; 0: all cores; the result does not depend on it (0)");
 }
 

@@ -5,7 +5,7 @@
 #include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/export/examination_files.h"
-#include "ew/scanning/picture_file.h"
+#include "ew/scanning/display_image_file.h"
 #include "ew/scanning/replay.h"
 #include "run/arguments.h"
 #include "run/command.h"
@@ -78,14 +78,14 @@ class Images {
   Result<void> begin(const glm::ivec2& size_px) {
     if (isDicomFile(arguments_.output)) return {};
     if (!isOneFile()) return checkRoomForWarning(size_px.x, size_px.y, fileOf(0));
-    auto clip = PictureClip::open(run_.outputs.staged(arguments_.output), size_px.x, size_px.y, arguments_.rate_hz);
+    auto clip = ImageClip::open(run_.outputs.staged(arguments_.output), size_px.x, size_px.y, arguments_.rate_hz);
     if (!clip) return passOn(clip.error());
     clip_ = std::move(*clip);
     return {};
   }
-  Result<void> add(std::size_t n, const Picture& picture, double pixel_mm) {
+  Result<void> add(std::size_t n, const DisplayImage& image, double pixel_mm) {
     const StepClock clock(run_.report, "write");
-    return clip_ ? clip_->add(picture) : writePicture(picture, pixel_mm, run_.outputs.staged(fileOf(n)));
+    return clip_ ? clip_->add(image) : writeDisplayImage(image, pixel_mm, run_.outputs.staged(fileOf(n)));
   }
   Result<void> finish() { return clip_ ? clip_->finish() : Result<void>(); }
   [[nodiscard]] bool isOneFile() const { return isClipFile(arguments_.output) || isDicomFile(arguments_.output); }
@@ -98,7 +98,7 @@ class Images {
   const ReplayArguments& arguments_;
   std::size_t count_;
   Run& run_;
-  std::optional<PictureClip> clip_;
+  std::optional<ImageClip> clip_;
 };
 
 DicomStudy studyOf(const std::optional<Case>& opened, const std::string& source) {
@@ -138,7 +138,7 @@ Result<int> replay(const ReplayArguments& arguments, Run& run) {
     if (auto formed = formEchoes(run, *subject, live); !formed) return passOn(formed.error());
 
   Replay scan(log, std::move(*subject), arguments.threads);
-  const auto make = [&](std::size_t n) -> Result<Picture> {
+  const auto make = [&](std::size_t n) -> Result<DisplayImage> {
     // What is not shown is made all the same: it shows in what follows.
     for (std::size_t frame = n == 0 ? 0 : frames[n - 1] + 1; frame < frames[n]; ++frame) {
       if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
@@ -149,10 +149,10 @@ Result<int> replay(const ReplayArguments& arguments, Run& run) {
     return scan.make(frames[n], size_px.x, size_px.y);
   };
   if (isDicomFile(arguments.output)) {
-    const auto makeWithPlace = [&](std::size_t n) -> Result<std::pair<Picture, DisplayGeometry>> {
-      auto picture = make(n);
-      if (!picture) return passOn(picture.error());
-      return std::pair(*picture, scan.scanner().geometry());
+    const auto makeWithPlace = [&](std::size_t n) -> Result<std::pair<DisplayImage, DisplayGeometry>> {
+      auto image = make(n);
+      if (!image) return passOn(image.error());
+      return std::pair(*image, scan.scanner().geometry());
     };
     if (auto written = writeDicomScan(log, frames, makeWithPlace, studyOf(opened, arguments.source), run.outputs.staged(arguments.output),
                                       run.progress);
@@ -160,9 +160,9 @@ Result<int> replay(const ReplayArguments& arguments, Run& run) {
       return passOn(written.error());
   } else {
     for (std::size_t n = 0; n < frames.size(); ++n) {
-      auto picture = make(n);
-      if (!picture) return passOn(picture.error());
-      if (auto added = images.add(n, *picture, scan.scanner().geometry().pixel_mm); !added) return passOn(added.error());
+      auto image = make(n);
+      if (!image) return passOn(image.error());
+      if (auto added = images.add(n, *image, scan.scanner().geometry().pixel_mm); !added) return passOn(added.error());
       run.progress.report(say<"Making images">(),
                           kShareOfReading + (1.0 - kShareOfReading) * static_cast<double>(n + 1) / static_cast<double>(frames.size()));
     }

@@ -8,8 +8,8 @@
 #include "ew/imaging/latency.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/case_start.h"
-#include "ew/scanning/first_picture.h"
-#include "ew/scanning/picture_file.h"
+#include "ew/scanning/display_image_file.h"
+#include "ew/scanning/first_image.h"
 #include "ew/scanning/preset.h"
 #include "ew/scanning/scanner.h"
 #include "run/arguments.h"
@@ -139,10 +139,10 @@ Result<std::vector<float>> gapsOf(const std::vector<std::string>& parts) {
   return gaps_mm;
 }
 
-/// Pictures of one subject, one after another on one clock, each timed.
-class TimedScanner {
+/// Images of one subject, one after another on one clock, each timed.
+class ScanTimer {
  public:
-  TimedScanner(const ScanArguments& arguments, ScanSubject subject, ScanState state, Run& run)
+  ScanTimer(const ScanArguments& arguments, ScanSubject subject, ScanState state, Run& run)
       : scanner(arguments.threads),
         state_(std::move(state)),
         size_px_(arguments.size_px),
@@ -157,12 +157,12 @@ class TimedScanner {
     scanner.prepare(state_, size_px_.x, size_px_.y);
   }
 
-  Picture make(const Pose& pose, bool isTimed = true) {
+  DisplayImage make(const Pose& pose, bool isTimed = true) {
     state_.pose = pose;
     state_.time_s = static_cast<double>(state_.number) / rate_hz_;
     moveBody();
     const auto start = std::chrono::steady_clock::now();
-    const auto picture = scanner.make(state_, size_px_.x, size_px_.y);
+    const auto image = scanner.make(state_, size_px_.x, size_px_.y);
     const double took_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     ++state_.number;
     if (isTimed) {
@@ -170,14 +170,14 @@ class TimedScanner {
       latency.add(took_us);
     }
     for (const auto& time : scanner.lastTimes()) run_.report.addStep(nameOf(time.kind), time.measured_us);
-    return picture;
+    return image;
   }
 
   Scanner scanner;
   LatencyHistogram latency;
 
  private:
-  /// At rest unless times or phases are asked for. Of several times each picture has its own, again from the first when there are no more.
+  /// At rest unless times or phases are asked for. Of several times each image has its own, again from the first when there are no more.
   void moveBody() {
     if (!motion_) return;
     state_.body = {};
@@ -202,9 +202,9 @@ bool isLit(ImageView<const std::uint8_t> frame) {
   return false;
 }
 
-Result<void> write(Run& run, const std::filesystem::path& file, const Picture& picture, double pixel_mm) {
+Result<void> write(Run& run, const std::filesystem::path& file, const DisplayImage& image, double pixel_mm) {
   const StepClock clock(run.report, "write");
-  return writePicture(picture, pixel_mm, run.outputs.staged(file));
+  return writeDisplayImage(image, pixel_mm, run.outputs.staged(file));
 }
 
 void printPlan(std::ostream& out, const Scanner& scanner, const Report& report) {
@@ -231,7 +231,7 @@ void printPlan(std::ostream& out, const Scanner& scanner, const Report& report) 
 Result<void> checkContactSheet(const ScanArguments& arguments, Run& run) {
   constexpr glm::ivec2 kSmallest_px{160, 120}, kLargest_px{1024, 768};
   if (!arguments.output.empty() || arguments.repeat > 0 || arguments.plan)
-    return failure(ErrorCode::badUsage, say<"--contact-sheet makes a picture of its own; give it without -o, --repeat and --plan.">());
+    return failure(ErrorCode::badUsage, say<"--contact-sheet makes an image of its own; give it without -o, --repeat and --plan.">());
   const glm::ivec2& size_px = arguments.size_px;
   if (glm::any(glm::lessThan(size_px, kSmallest_px)) || glm::any(glm::greaterThan(size_px, kLargest_px)))
     return failure(ErrorCode::badUsage,
@@ -249,20 +249,20 @@ Result<int> makeContactSheet(const ScanArguments& arguments, const ScanSubject& 
       .subject = subject, .probe = probe, .probes = std::move(*probes), .pose = poses.front(), .interfacePose = poses.back()};
   run.progress.report(say<"Making the contact sheet">(), kShareOfReading);
   const RgbImage sheet = contactSheet(source, arguments.size_px);
-  if (auto written = writePicture(sheet, 1.0, run.outputs.staged(arguments.contactSheet)); !written) return passOn(written.error());
+  if (auto written = writeDisplayImage(sheet, 1.0, run.outputs.staged(arguments.contactSheet)); !written) return passOn(written.error());
   run.say("Wrote a contact sheet of " + std::to_string(sheet.width) + " x " + std::to_string(sheet.height) + " pixels.");
   return kDone;
 }
 
-bool writesPictures(const ScanArguments& arguments) { return arguments.repeat == 0 && !arguments.output.empty(); }
+bool writesImages(const ScanArguments& arguments) { return arguments.repeat == 0 && !arguments.output.empty(); }
 
 Result<void> checkScanUsage(const ScanArguments& arguments, Run& run) {
   if (!arguments.contactSheet.empty())
     if (auto usable = checkContactSheet(arguments, run); !usable) return usable;
-  const bool writes = writesPictures(arguments);
+  const bool writes = writesImages(arguments);
   if (!writes && arguments.repeat == 0 && !arguments.plan && arguments.contactSheet.empty())
     return failure(ErrorCode::badUsage,
-                   say<"Say where the picture goes with -o OUT.png, look at the plan with --plan, or measure with --repeat N.">());
+                   say<"Say where the image goes with -o OUT.png, look at the plan with --plan, or measure with --repeat N.">());
   if (writes)
     if (auto fits = checkRoomForWarning(arguments.size_px.x, arguments.size_px.y, arguments.output); !fits)
       return failure(ErrorCode::badUsage, fits.error().message);
@@ -282,7 +282,7 @@ struct ScanPlan {
   [[nodiscard]] std::size_t outputs() const { return isStrip() ? 1 : poses.size(); }
 };
 
-/// Probe and settings as the window begins the case with them. Poses of a file are pictures of their own: nothing of one shows in the next.
+/// Probe and settings as the window begins the case with them. Poses of a file are images of their own: nothing of one shows in the next.
 Result<void> beginLikeWindow(const Case& opened, bool choosesProbe, ScanPlan& plan) {
   const auto there = beginningsThere();
   if (!there) return passOn(there.error());
@@ -350,16 +350,15 @@ nlohmann::json scanOptions(const ScanArguments& arguments, const ScanPlan& plan,
           {"mapped", subject.voxels.volume() == nullptr}};
 }
 
-/// Every pose, as often as it is to be measured; pictures and strip are written when they are asked for.
-/// @return how many of the pictures are not black
-Result<std::size_t> scanPoses(const ScanArguments& arguments, const ScanPlan& plan, const ScanVoxels& voxels, TimedScanner& timed,
-                              Run& run) {
-  const bool writes = writesPictures(arguments);
+/// Every pose, as often as it is to be measured; images and strip are written when they are asked for.
+/// @return how many of the images are not black
+Result<std::size_t> scanPoses(const ScanArguments& arguments, const ScanPlan& plan, const ScanVoxels& voxels, ScanTimer& timed, Run& run) {
+  const bool writes = writesImages(arguments);
   const double pixel_mm = timed.scanner.geometry().pixel_mm;
   const int rounds = std::max(1, arguments.repeat);
   const double total = static_cast<double>(rounds) * static_cast<double>(plan.poses.size());
   double done = 0.0;
-  std::size_t litPictures = 0;
+  std::size_t litImages = 0;
   for (int round = 0; round < rounds; ++round)
     for (std::size_t n = 0; n < plan.poses.size(); ++n) {
       if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked; nothing was written.">());
@@ -367,9 +366,9 @@ Result<std::size_t> scanPoses(const ScanArguments& arguments, const ScanPlan& pl
       const auto frame = timed.make(plan.poses[n]);
       if (round == 0) {
         if (isLit(frame.grey))
-          ++litPictures;
+          ++litImages;
         else
-          run.remark(say<"The picture of pose %1 is black; the probe looks past the volume or the gain is 0.">(n + 1));
+          run.remark(say<"The image of pose %1 is black; the probe looks past the volume or the gain is 0.">(n + 1));
       }
       if (writes && !plan.isStrip())
         if (auto written = write(run, numbered(arguments.output, n, plan.outputs()), frame, pixel_mm); !written)
@@ -379,11 +378,11 @@ Result<std::size_t> scanPoses(const ScanArguments& arguments, const ScanPlan& pl
   if (writes && plan.isStrip())
     if (auto written = write(run, numbered(arguments.output, 0, 1), {timed.scanner.strip()}, pixel_mm); !written)
       return passOn(written.error());
-  return litPictures;
+  return litImages;
 }
 
-void reportScan(const TimedScanner& timed, std::size_t litPictures, Report& report) {
-  report.quality = {{"pictures_not_black", litPictures},
+void reportScan(const ScanTimer& timed, std::size_t litImages, Report& report) {
+  report.quality = {{"pictures_not_black", litImages},
                     {"pose_to_picture_p50_us", timed.latency.quantile_us(0.5)},
                     {"pose_to_picture_p95_us", timed.latency.quantile_us(0.95)},
                     {"pose_to_picture_p99_us", timed.latency.quantile_us(0.99)},
@@ -400,7 +399,7 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   if (auto usable = checkScanUsage(arguments, run); !usable) return passOn(usable.error());
   auto plan = readScanPlan(arguments, run);
   if (!plan) return passOn(plan.error());
-  const bool writes = writesPictures(arguments);
+  const bool writes = writesImages(arguments);
   if (writes)
     for (std::size_t n = 0; n < plan->outputs(); ++n)
       if (auto announced = run.output(numbered(arguments.output, n, plan->outputs()), ".png .mha"); !announced)
@@ -415,15 +414,15 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   run.report.options = scanOptions(arguments, *plan, *subject);
   const ScanVoxels voxels = subject->voxels;
   const Scene scene = subject->scene;
-  TimedScanner timed(arguments, std::move(*subject),
-                     {.probe = plan->probe, .knobs = plan->knobs, .pan = {}, .scene = scene, .pose = {}, .gaps_mm = plan->gaps_mm}, run);
+  ScanTimer timed(arguments, std::move(*subject),
+                  {.probe = plan->probe, .knobs = plan->knobs, .pan = {}, .scene = scene, .pose = {}, .gaps_mm = plan->gaps_mm}, run);
   run.report.options["pixel_mm"] = timed.scanner.geometry().pixel_mm;
   run.report.options["depth_mm"] = timed.scanner.geometry().depth_mm;
-  const auto litPictures = scanPoses(arguments, *plan, voxels, timed, run);
-  if (!litPictures) return passOn(litPictures.error());
+  const auto litImages = scanPoses(arguments, *plan, voxels, timed, run);
+  if (!litImages) return passOn(litImages.error());
   if (arguments.plan && arguments.repeat == 0)
     for (int n = 0; n < kWarmFrames; ++n) timed.make(plan->poses.front(), false);
-  reportScan(timed, *litPictures, run.report);
+  reportScan(timed, *litImages, run.report);
   run.progress.clear();
   if (arguments.plan) printPlan(run.out(), timed.scanner, run.report);
   if (writes)
@@ -445,7 +444,7 @@ void addScan(CLI::App& root, Selection& selection) {
                          [arguments](Run& run) { return scan(*arguments, run); });
   app.footer(app.get_footer() +
              "\n\nWithout --knobs a case is scanned with the preset it begins with in the window, but without persistence: each pose is a\n"
-             "picture of its own.\n"
+             "image of its own.\n"
              "KNOBS.json is one object; what is missing stays neutral:\n"
              "  { \"gain_db\": 3, \"tgc_db\": [-6, -3, 0, 0, 0, 2, 4, 6], \"depth_mm\": 160, \"focus_mm\": [60, 100] }\n" +
              knobsManual() +
@@ -466,12 +465,12 @@ void addScan(CLI::App& root, Selection& selection) {
       ->type_name("POSE");
   app.add_option("--knobs", arguments->knobs, "Settings of the console (a case: its preset; else neutral)")->type_name("KNOBS.json");
   app.add_option("--scene", arguments->scene, "Which effects the scene calls for (the case's, or none)")->type_name("SCENE.json");
-  addSize(app, "--size", arguments->size_px, "Pixels of the picture (640x480)");
+  addSize(app, "--size", arguments->size_px, "Pixels of the image (640x480)");
   app.add_option("-o,--output", arguments->output,
-                 "The picture: .png, which carries 'simulation, not for diagnosis', or .mha, the bare frame")
+                 "The image: .png, which carries 'simulation, not for diagnosis', or .mha, the bare frame")
       ->type_name("OUT");
   app.add_option("--contact-sheet", arguments->contactSheet,
-                 "One picture of many tiles of --size: every effect off and on, then every probe, at the first pose; reverberation at the "
+                 "One image of many tiles of --size: every effect off and on, then every probe, at the first pose; reverberation at the "
                  "last")
       ->type_name("OUT.png");
   app.add_flag("--plan", arguments->plan, "Print what a frame runs, with estimated and measured microseconds");
@@ -494,7 +493,7 @@ void addScan(CLI::App& root, Selection& selection) {
       ->allow_extra_args(false)
       ->type_name("FROM:TO");
   addNumber(app, "--rate", arguments->rate_hz, {0.1, 1000.0}, "Poses a second, for M-mode (30)");
-  addCount(app, "--threads", arguments->threads, 0, 256, "Threads of one frame; 0: all cores; the picture does not depend on it (1)");
+  addCount(app, "--threads", arguments->threads, 0, 256, "Threads of one frame; 0: all cores; the image does not depend on it (1)");
   addCount(app, "--repeat", arguments->repeat, 1, 1000000, "Run the whole list N times and write nothing but the report");
 }
 

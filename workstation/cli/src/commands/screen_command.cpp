@@ -44,8 +44,8 @@ json toJson(const FanOutline& outline) {
 }
 
 /// What the report says beside its common keys: everything found, in pixels of the recording.
-void describe(const OpenedScreen& opened, const ScreenGeometry& geometry, Report& report) {
-  const FoundScreen& found = opened.found;
+void describe(const ScreenSurvey& opened, const ScreenGeometry& geometry, Report& report) {
+  const ScreenAnalysis& found = opened.found;
   report.details["kind"] = nameOf(opened.reader.info().kind);
   report.details["outline"] = geometry.outline ? toJson(*geometry.outline) : json(nullptr);
   if (found.ticks)
@@ -125,7 +125,7 @@ Result<int> cleanScreen(const ScreenArguments& arguments, Run& run) {
   }();
   if (!opened) return passOn(opened.error());
   for (const Message& note : opened->reader.info().notes) run.remark(note);
-  if (opened->reader.info().assumedRate_hz > 0.0) run.remark(ew::say<"If the pictures have another rate, state it with --rate.">());
+  if (opened->reader.info().assumedRate_hz > 0.0) run.remark(ew::say<"If the images have another rate, state it with --rate.">());
   for (const Message& note : opened->found.notes) run.remark(note);
   if (opened->brokenOff) run.remark(opened->brokenOff->message);
   const auto geometry = corrected(opened->found, *correction);
@@ -174,7 +174,7 @@ void addScreen(CLI::App& root, Selection& selection) {
        "screen stack.tif -o liver.igs.mha --correction liver.screen.json --device-set liver.xml"},
       [arguments](Run& run) { return cleanScreen(*arguments, run); });
   app.add_option("RECORDING", arguments->recording,
-                 "A film (MP4, AVI, MPEG ...), a DICOM cine or film, a TIFF of several pages, a sequence, or a folder of pictures")
+                 "A film (MP4, AVI, MPEG ...), a DICOM cine or film, a TIFF of several pages, a sequence, or a folder of images")
       ->required()
       ->type_name("");
   app.add_option("-o,--output", arguments->output, "The cleaned recording; its geometry goes beside it, into OUT.screen.json")
@@ -184,20 +184,19 @@ void addScreen(CLI::App& root, Selection& selection) {
             "Depth of the scan in mm, as the screen states it: from its near to its far edge");
   addNumber(app, "--tick", arguments->tick_mm, {0.05, 500.0}, "Distance of neighbouring marks of the depth scale in mm");
   addNumber(app, "--rate", arguments->rate_hz, {0.001, 100000.0},
-            "Pictures a second of a recording that does not say it, or says it wrongly");
+            "Images a second of a recording that does not say it, or says it wrongly");
   app.add_option("--correction", arguments->correction,
                  "Outline, depth, boxes to add or to remove: a .screen.json as this command writes, edited")
       ->type_name("C.json");
-  app.add_option("--turn", arguments->turn_deg,
-                 "Turn the pictures clockwise by so many degrees, on top of what the file says: 90, 180, 270")
+  app.add_option("--turn", arguments->turn_deg, "Turn the images clockwise by so many degrees, on top of what the file says: 90, 180, 270")
       ->check(CLI::IsMember({90, 180, 270}))
       ->type_name("DEGREES");
   app.add_flag("--mirror", arguments->isMirrored, "Then mirror them, left to right");
   app.add_option("--fill", arguments->fill, "Under text: neighbours, smoothly from the scan around it; black")
       ->check(CLI::IsMember({"neighbours", "black"}))
       ->type_name("WAY");
-  app.add_flag("--keep-outside", arguments->keepOutside, "Keep the whole picture; only boxes of text over the scan are filled");
-  app.add_flag("--accept-small", arguments->acceptsSmall, "Write also when less than a tenth of each picture or of the frames is kept");
+  app.add_flag("--keep-outside", arguments->keepOutside, "Keep the whole image; only boxes of text over the scan are filled");
+  app.add_flag("--accept-small", arguments->acceptsSmall, "Write also when less than a tenth of each image or of the frames is kept");
   app.add_option("--device-set", arguments->deviceSet,
                  "Also write what reconstruct --calibration takes: the fan, and where pixels lie before the probe")
       ->type_name("OUT.xml");

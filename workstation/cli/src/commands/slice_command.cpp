@@ -19,7 +19,7 @@ struct SliceArguments {
   glm::ivec2 size_px{400, 400};
   std::optional<double> pixel_mm;
   std::string quality = "linear";
-  int repeat = 0;  // 0: once, with pictures
+  int repeat = 0;  // 0: once, with images
   bool map = false;
 };
 
@@ -51,7 +51,7 @@ Error stopped() { return {ErrorCode::cancelled, say<"Stopped as asked; nothing w
 Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
   const bool writes = arguments.repeat == 0;
   if (writes && arguments.output.empty())
-    return failure(ErrorCode::badUsage, say<"Say where the picture goes with -o OUT.png, or measure with --repeat N.">());
+    return failure(ErrorCode::badUsage, say<"Say where the image goes with -o OUT.png, or measure with --repeat N.">());
   const auto poses = readPoses(run, arguments.pose);
   if (!poses) return passOn(poses.error());
   if (auto kept = run.protect(arguments.volume); !kept) return passOn(kept.error());
@@ -75,7 +75,7 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
                         {"repeat", arguments.repeat},
                         {"mapped", volume->volume() == nullptr}};
 
-  GreyImage picture(arguments.size_px.x, arguments.size_px.y);
+  GreyImage image(arguments.size_px.x, arguments.size_px.y);
   SliceScratch scratch;
   const int rounds = writes ? 1 : arguments.repeat;
   const double total = static_cast<double>(rounds) * static_cast<double>(poses->size());
@@ -87,7 +87,7 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
       const auto imageToVoxel = worldToVoxel * (*poses)[n].probeToWorld * imageToProbe;
       {
         const StepClock clock(run.report, "slice");
-        slice(quality, volume->source(volume->grid(), 0.0), imageToVoxel, viewOf(picture), scratch);
+        slice(quality, volume->source(volume->grid(), 0.0), imageToVoxel, viewOf(image), scratch);
       }
       if (round == 0) {
         const double inside = shareInside(volume->grid(), imageToVoxel, arguments.size_px);
@@ -95,12 +95,12 @@ Result<int> sliceVolume(const SliceArguments& arguments, Run& run) {
         sumInside += inside;
         if (inside == 0.0)
           run.remark(
-              say<"The plane of pose %1 does not meet the volume, which spans %2; its picture is black.">(n + 1, extentOf(volume->grid())));
+              say<"The plane of pose %1 does not meet the volume, which spans %2; its image is black.">(n + 1, extentOf(volume->grid())));
       }
       if (writes) {
         const StepClock clock(run.report, "write");
         const auto target = run.outputs.staged(numbered(arguments.output, n, poses->size()));
-        if (auto written = writeImage(viewOf(std::as_const(picture)), pixel_mm, target); !written) return passOn(written.error());
+        if (auto written = writeImage(viewOf(std::as_const(image)), pixel_mm, target); !written) return passOn(written.error());
       }
       run.progress.report(say<"Slicing">(), kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
     }
@@ -130,9 +130,9 @@ void addSlice(CLI::App& root, Selection& selection) {
          "pixel (i, j) lies at x = (i - (W-1)/2) pixel, y = j pixel. Several poses number their outputs: out_0000.png …")
       ->required()
       ->type_name("POSE");
-  app.add_option("-o,--output", arguments->output, "The picture: .png, or .mha as a two-dimensional image; 0 outside the volume")
+  app.add_option("-o,--output", arguments->output, "The image: .png, or .mha as a two-dimensional image; 0 outside the volume")
       ->type_name("OUT");
-  addSize(app, "--size", arguments->size_px, "Pixels of the picture (400x400)");
+  addSize(app, "--size", arguments->size_px, "Pixels of the image (400x400)");
   addNumber(app, "--pixel", arguments->pixel_mm, {1e-6, 1e6}, "Size of a pixel in mm (the volume's smallest spacing)");
   app.add_option("--quality", arguments->quality,
                  "weave: nearest voxel, fastest; linear: trilinear; cubic: cubic convolution, most exact (linear)")

@@ -43,7 +43,7 @@ CLI::Option& addNumberList(CLI::App& app, const std::string& name, std::optional
 /// The poses of `--pose`. @error badUsage (numbers on the line that are not 16), otherwise as posesFromArgument
 [[nodiscard]] Result<std::vector<Pose>> posesOf(const std::string& argument);
 
-/// `out.png` itself for one picture; `out_0000.png`, `out_0001.png` … for several.
+/// `out.png` itself for one image; `out_0000.png`, `out_0001.png` … for several.
 [[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& file, std::size_t index, std::size_t count);
 
 /// "1 frame", "3 frames".

@@ -6,7 +6,7 @@ namespace ew::cli {
 
 std::string optionFor(const std::string& asked) {
   if (asked == "region") return "--region N";
-  if (asked == "pixel-mm") return "--pixel-mm X,Y (with --region all for the whole picture)";
+  if (asked == "pixel-mm") return "--pixel-mm X,Y (with --region all for the whole image)";
   if (asked == "spacing") return "--spacing X[,Y,Z]";
   if (asked == "colour") return "--colour keep-grey or --colour drop-colour";
   if (asked == "blank") return "--region N, --blank X,Y,W,H or --keep-text";

@@ -23,14 +23,14 @@ bool isFile(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
-std::vector<fs::path> picturesIn(const fs::path& folder) {
-  std::vector<fs::path> pictures;
+std::vector<fs::path> imagesIn(const fs::path& folder) {
+  std::vector<fs::path> images;
   std::error_code problem;
-  for (fs::directory_iterator at(folder, problem), end; !problem && at != end && pictures.size() < kMostFiles; at.increment(problem)) {
+  for (fs::directory_iterator at(folder, problem), end; !problem && at != end && images.size() < kMostFiles; at.increment(problem)) {
     const std::string ending = endingOf(at->path());
-    if (ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".pgm") pictures.push_back(at->path());
+    if (ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".pgm") images.push_back(at->path());
   }
-  return pictures;
+  return images;
 }
 
 /// Walks what files name, each once.
@@ -74,7 +74,7 @@ std::vector<fs::path> filesBehind(const fs::path& input) {
   } else if (isFile(input / "case.json")) {
     walk.take(input / "case.json");
   } else {
-    walk.files = picturesIn(input);
+    walk.files = imagesIn(input);
   }
   return walk.files;
 }

@@ -49,8 +49,8 @@ int openWindow(char** argv) {
     return ew::cli::kFailed;
   }
   if (!hasDisplay()) {
-    std::cerr << "echoweave: There is no screen here to open the window on; set DISPLAY, start it with './run --screenshot OUT.png' for a "
-                 "picture of the window, or use a command ('echoweave --help').\n";
+    std::cerr << "echoweave: There is no screen here to open the window on; set DISPLAY, start it with './run --screenshot OUT.png' for an "
+                 "image of the window, or use a command ('echoweave --help').\n";
     return ew::cli::kFailed;
   }
   return become(window, "The window", argv);

@@ -28,7 +28,7 @@ volatile std::sig_atomic_t signalDuringPrompt = 0;
 extern "C" void noteSignal(int number) { signalDuringPrompt = number; }
 
 /// @param heeded the signals that may come while nothing does; null: those that may come anyway
-/// @return false when one of HeldSignals came
+/// @return false when one of SignalGuard came
 bool waitForInput(int descriptor, const sigset_t* heeded) {
   pollfd asked{descriptor, POLLIN, 0};
   while (heeded != nullptr && signalDuringPrompt == 0 && ::ppoll(&asked, 1, nullptr, heeded) < 0 && errno == EINTR) {
@@ -56,9 +56,9 @@ Result<Passphrase> lineOf(int descriptor, const sigset_t* heeded = nullptr) {
 
 /// As long as this lives, a signal that would end or stop the program only interrupts what waits for a line; afterwards it does what it
 /// would have done before. Ctrl-Z is not heeded: a program that goes on later would show what is typed.
-class HeldSignals {
+class SignalGuard {
  public:
-  HeldSignals() {
+  SignalGuard() {
     signalDuringPrompt = 0;
     sigset_t all;
     sigemptyset(&all);
@@ -70,13 +70,13 @@ class HeldSignals {
       ::sigaction(kHeld[n], &held, &before_[n]);
     }
   }
-  ~HeldSignals() {
+  ~SignalGuard() {
     for (std::size_t n = 0; n < kHeld.size(); ++n) ::sigaction(kHeld[n], &before_[n], nullptr);
     ::pthread_sigmask(SIG_SETMASK, &heeded_, nullptr);
     if (const int number = signalDuringPrompt; number != 0) ::raise(number);
   }
-  HeldSignals(const HeldSignals&) = delete;
-  HeldSignals& operator=(const HeldSignals&) = delete;
+  SignalGuard(const SignalGuard&) = delete;
+  SignalGuard& operator=(const SignalGuard&) = delete;
   [[nodiscard]] const sigset_t* heeded() const { return &heeded_; }
 
  private:
@@ -108,7 +108,7 @@ class SilentTerminal {
 };
 
 Result<Passphrase> askedOn(int terminal, const Message& prompt) {
-  const HeldSignals signals;  // outlives what makes the terminal silent
+  const SignalGuard signals;  // outlives what makes the terminal silent
   const SilentTerminal silent(terminal);
   const auto put = [&](const std::string& text) { return ::write(terminal, text.data(), text.size()) >= 0; };
   if (!silent.isOpen() || !put(prompt.english() + " "))

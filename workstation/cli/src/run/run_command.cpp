@@ -29,7 +29,7 @@ constexpr const char* kDescription =
 constexpr const char* kFooter =
     "The window:\n"
     "  echoweave [CASE|VOLUME|SWEEP]              opens it there\n"
-    "  echoweave --screenshot OUT.png             saves a picture of the window and ends\n"
+    "  echoweave --screenshot OUT.png             saves an image of the window and ends\n"
     "  echoweave CASE --lesson ID                 opens a case and begins a lesson of it\n"
     "  echoweave --theme dark|light  --workspace explore|author  --start-page  --size WxH\n"
     "\n"

@@ -4,7 +4,7 @@
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/bundle.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "run/arguments.h"
 
 namespace ew::cli {

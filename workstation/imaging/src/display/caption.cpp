@@ -14,7 +14,7 @@ constexpr int kAdvance = 6;
 constexpr int kLineAdvance = 11;
 constexpr int kMargin_px = 4;
 constexpr std::uint8_t kLetter = 150;
-constexpr int kLargePicture_px = 900;  // from this width on every letter pixel becomes 2 x 2
+constexpr int kLargeImage_px = 900;  // from this width on every letter pixel becomes 2 x 2
 
 struct Glyph {
   char letter;
@@ -76,16 +76,16 @@ std::vector<std::string> wrapped(std::string_view words, std::size_t lettersPerL
 }
 
 template <class Pixel>
-void fill(ImageView<Pixel> picture, int left, int top, int size, std::uint8_t grey, bool onlyDarken) {
-  for (int y = std::max(0, top); y < std::min(picture.height, top + size); ++y)
-    for (int x = std::max(0, left); x < std::min(picture.width, left + size); ++x) {
-      auto& pixel = picture.at(x, y);
+void fill(ImageView<Pixel> image, int left, int top, int size, std::uint8_t grey, bool onlyDarken) {
+  for (int y = std::max(0, top); y < std::min(image.height, top + size); ++y)
+    for (int x = std::max(0, left); x < std::min(image.width, left + size); ++x) {
+      auto& pixel = image.at(x, y);
       pixel = onlyDarken ? glm::min(pixel, Pixel(grey)) : Pixel(grey);
     }
 }
 
 template <class Pixel>
-void drawLine(ImageView<Pixel> picture, const std::string& line, int left, int top, int scale, bool rim) {
+void drawLine(ImageView<Pixel> image, const std::string& line, int left, int top, int scale, bool rim) {
   for (std::size_t n = 0; n < line.size(); ++n) {
     const auto glyph = std::find_if(kGlyphs.begin(), kGlyphs.end(), [&](const Glyph& g) { return g.letter == line[n]; });
     if (glyph == kGlyphs.end()) continue;
@@ -95,24 +95,24 @@ void drawLine(ImageView<Pixel> picture, const std::string& line, int left, int t
         const int px = left + (static_cast<int>(n) * kAdvance + x) * scale;
         const int py = top + y * scale;
         if (rim)
-          fill(picture, px - scale, py - scale, 3 * scale, 16, true);
+          fill(image, px - scale, py - scale, 3 * scale, 16, true);
         else
-          fill(picture, px, py, scale, kLetter, false);
+          fill(image, px, py, scale, kLetter, false);
       }
   }
 }
 
 template <class Pixel>
-void burn(ImageView<Pixel> picture, std::string_view words) {
-  const int scale = picture.width >= kLargePicture_px ? 2 : 1;
-  const int room = std::max(1, (picture.width - 2 * kMargin_px) / (kAdvance * scale));
+void burn(ImageView<Pixel> image, std::string_view words) {
+  const int scale = image.width >= kLargeImage_px ? 2 : 1;
+  const int room = std::max(1, (image.width - 2 * kMargin_px) / (kAdvance * scale));
   const auto lines = wrapped(words, static_cast<std::size_t>(room));
   const int height = static_cast<int>(lines.size()) * kLineAdvance * scale;
   for (const bool rim : {true, false}) {  // every rim first, so that no rim darkens a neighbouring letter
-    int top = picture.height - kMargin_px - height;
+    int top = image.height - kMargin_px - height;
     for (const auto& line : lines) {
       const int width = (static_cast<int>(line.size()) * kAdvance - 1) * scale;
-      drawLine(picture, line, (picture.width - width) / 2, top, scale, rim);
+      drawLine(image, line, (image.width - width) / 2, top, scale, rim);
       top += kLineAdvance * scale;
     }
   }
@@ -120,7 +120,7 @@ void burn(ImageView<Pixel> picture, std::string_view words) {
 
 }  // namespace
 
-void burnCaption(ImageView<std::uint8_t> picture, std::string_view words) { burn(picture, words); }
-void burnCaption(ImageView<Rgb> picture, std::string_view words) { burn(picture, words); }
+void burnCaption(ImageView<std::uint8_t> image, std::string_view words) { burn(image, words); }
+void burnCaption(ImageView<Rgb> image, std::string_view words) { burn(image, words); }
 
 }  // namespace ew

@@ -65,7 +65,7 @@ Pan panWithinFan(const Probe& probe, const Knobs& knobs, const Pan& pan) {
 
 DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height, const Pan& pan) {
   EW_EXPECTS(width >= 1 && height >= 1);
-  constexpr double kMargin = 0.02;  // of the picture, on each side
+  constexpr double kMargin = 0.02;  // of the image, on each side
   constexpr double kPixelSteps_perMm = 4294967296.0;
   DisplayGeometry geometry;
   geometry.width = width;
@@ -80,7 +80,7 @@ DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, in
   const double zoom = zoomOf(knobs);
   // Of few binary digits, so that products with columns are exact and imageToProbe sends mirrored columns to mirrored places.
   geometry.pixel_mm = std::ceil(geometry.pixel_mm / zoom * kPixelSteps_perMm) / kPixelSteps_perMm;
-  // The middle of the fan's box stays in the middle of the picture at every zoom, but for what it is panned by: sideways in whole pixels,
+  // The middle of the fan's box stays in the middle of the image at every zoom, but for what it is panned by: sideways in whole pixels,
   // for the same exactness.
   const Pan shown = panWithinFan(probe, knobs, pan);
   const double across = geometry.markerLeft ? -1.0 : 1.0;

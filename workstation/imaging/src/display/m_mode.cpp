@@ -53,7 +53,7 @@ double MModeStrip::beamInterval_s(double time_s) const {
   return interval_s_[static_cast<std::size_t>(at % strip_.width)];
 }
 
-ImageView<const std::uint8_t> MModeStrip::picture() const { return viewOf(strip_); }
+ImageView<const std::uint8_t> MModeStrip::image() const { return viewOf(strip_); }
 
 void MModeStrip::add(double time_s, std::span<const std::uint8_t> beam) {
   if (strip_.width == 0 || strip_.height == 0 || beam.empty() || !std::isfinite(time_s)) return;

@@ -8,17 +8,17 @@ namespace {
 constexpr double kAway_px = 12.0, kMarkerRadius_px = 5.0, kMarkerRim_px = 2.0;
 
 template <class Pixel>
-void burnDot(ImageView<Pixel> picture, const glm::dvec2& centre_px) {
+void burnDot(ImageView<Pixel> image, const glm::dvec2& centre_px) {
   const double outer_px = kMarkerRadius_px + kMarkerRim_px;
   for (int y = std::max(0, static_cast<int>(centre_px.y - outer_px));
-       y < std::min(picture.height, static_cast<int>(centre_px.y + outer_px) + 2); ++y)
+       y < std::min(image.height, static_cast<int>(centre_px.y + outer_px) + 2); ++y)
     for (int x = std::max(0, static_cast<int>(centre_px.x - outer_px));
-         x < std::min(picture.width, static_cast<int>(centre_px.x + outer_px) + 2); ++x) {
+         x < std::min(image.width, static_cast<int>(centre_px.x + outer_px) + 2); ++x) {
       const double away_px = glm::distance(glm::dvec2(x, y), centre_px);
       if (away_px <= kMarkerRadius_px)
-        picture.at(x, y) = Pixel(std::uint8_t{255});
+        image.at(x, y) = Pixel(std::uint8_t{255});
       else if (away_px <= outer_px)
-        picture.at(x, y) = Pixel(std::uint8_t{0});
+        image.at(x, y) = Pixel(std::uint8_t{0});
     }
 }
 
@@ -32,12 +32,12 @@ glm::dvec2 markerPlace_px(const Probe& probe, const DisplayGeometry& geometry, d
           std::clamp(y, margin_px, std::max(margin_px, geometry.height - 1.0 - margin_px))};
 }
 
-void burnMarker(ImageView<std::uint8_t> picture, const Probe& probe, const DisplayGeometry& geometry) {
-  burnDot(picture, markerPlace_px(probe, geometry, kAway_px, kMarkerRadius_px + kMarkerRim_px));
+void burnMarker(ImageView<std::uint8_t> image, const Probe& probe, const DisplayGeometry& geometry) {
+  burnDot(image, markerPlace_px(probe, geometry, kAway_px, kMarkerRadius_px + kMarkerRim_px));
 }
 
-void burnMarker(ImageView<Rgb> picture, const Probe& probe, const DisplayGeometry& geometry) {
-  burnDot(picture, markerPlace_px(probe, geometry, kAway_px, kMarkerRadius_px + kMarkerRim_px));
+void burnMarker(ImageView<Rgb> image, const Probe& probe, const DisplayGeometry& geometry) {
+  burnDot(image, markerPlace_px(probe, geometry, kAway_px, kMarkerRadius_px + kMarkerRim_px));
 }
 
 }  // namespace ew

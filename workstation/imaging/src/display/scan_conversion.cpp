@@ -148,15 +148,15 @@ ScanConversionTable makeScanConversion(const Probe& probe, const Knobs& knobs, c
   return table;
 }
 
-void scanConvert(const ScanConversionTable& table, ImageView<const float> beams, int firstRow, int rows, ImageView<std::uint8_t> picture) {
+void scanConvert(const ScanConversionTable& table, ImageView<const float> beams, int firstRow, int rows, ImageView<std::uint8_t> image) {
   EW_EXPECTS(beams.width == table.lines && beams.height == table.samples && beams.stride == beams.width);
-  EW_EXPECTS(picture.width == table.width && picture.height == table.height);
+  EW_EXPECTS(image.width == table.width && image.height == table.height);
   EW_EXPECTS(firstRow >= 0 && rows >= 0 && firstRow + rows <= table.height);
   for (int y = firstRow; y < firstRow + rows; ++y) {
     const ScanConversionTable::Tap* taps = table.taps.data() + table.firstTapOfRow[static_cast<std::size_t>(y)];
     for (const RowSpan& span : table.spans[static_cast<std::size_t>(y)]) {
       const auto count = static_cast<std::size_t>(span.end - span.begin);
-      HWY_DYNAMIC_DISPATCH(convertRun)(beams.data, beams.data + table.lines, taps, count, picture.row(y) + span.begin);
+      HWY_DYNAMIC_DISPATCH(convertRun)(beams.data, beams.data + table.lines, taps, count, image.row(y) + span.begin);
       taps += count;
     }
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kFractionBits = 7;  // 255 << 7 still fits a signed 16 bit difference
 constexpr int kHalf = 1 << (kFractionBits - 1);
 
-/// @param fresh share of the new picture, 15 fraction bits
+/// @param fresh share of the new image, 15 fraction bits
 void persistPixels(int fresh, std::uint16_t* level, std::uint8_t* pixel, int count) {
   for (int x = 0; x < count; ++x) {
     const int difference = (pixel[x] << kFractionBits) - level[x];
@@ -45,8 +45,8 @@ void persistRun(int fresh, std::uint16_t* level, std::uint8_t* pixel, int count)
   int x = 0;
   for (; x + lanes <= count; x += lanes) {
     const auto before = hn::BitCast(d, hn::LoadU(levels, level + x));
-    const auto picture = hn::ShiftLeft<kFractionBits>(hn::PromoteTo(d, hn::LoadU(pixels, pixel + x)));
-    const auto difference = hn::Sub(picture, before);
+    const auto image = hn::ShiftLeft<kFractionBits>(hn::PromoteTo(d, hn::LoadU(pixels, pixel + x)));
+    const auto difference = hn::Sub(image, before);
     const auto move = hn::MulFixedPoint15(difference, share);
     const auto oneStep = hn::Max(hn::Min(difference, hn::Set(d, 1)), hn::Set(d, -1));
     const auto moved = hn::Add(before, hn::IfThenElse(hn::Eq(move, hn::Zero(d)), oneStep, move));
@@ -79,18 +79,18 @@ void beginPersistence(int width, int height, PersistenceMemory& memory) {
   memory.empty = false;
 }
 
-void persist(double share, std::span<const std::vector<RowSpan>> spans, int firstRow, int rows, ImageView<std::uint8_t> picture,
+void persist(double share, std::span<const std::vector<RowSpan>> spans, int firstRow, int rows, ImageView<std::uint8_t> image,
              PersistenceMemory& memory) {
-  EW_EXPECTS(picture.width == memory.width && picture.height == memory.height);
-  EW_EXPECTS(spans.size() == static_cast<std::size_t>(picture.height));
-  EW_EXPECTS(firstRow >= 0 && rows >= 0 && firstRow + rows <= picture.height);
+  EW_EXPECTS(image.width == memory.width && image.height == memory.height);
+  EW_EXPECTS(spans.size() == static_cast<std::size_t>(image.height));
+  EW_EXPECTS(firstRow >= 0 && rows >= 0 && firstRow + rows <= image.height);
   const double usable = share > 0.0 ? std::min(share, 0.95) : 0.0;
   const bool start = memory.starting || usable == 0.0;
   const int fresh = std::min(static_cast<int>(std::lround((1.0 - usable) * 32768.0)), 32767);
   for (int y = firstRow; y < firstRow + rows; ++y) {
     std::uint16_t* levels = memory.levels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(memory.width);
     for (const RowSpan& span : spans[static_cast<std::size_t>(y)]) {
-      std::uint8_t* pixel = picture.row(y) + span.begin;
+      std::uint8_t* pixel = image.row(y) + span.begin;
       std::uint16_t* level = levels + span.begin;
       const int count = span.end - span.begin;
       if (start)

@@ -185,7 +185,7 @@ int reverberate(const ReverberationEffect& effect, double greyPerDb, int firstSa
       if (levelAt(n, y) > levelAt(n, interface)) interface = y;
   }
   if (!found) return 0;
-  // From both sides on their own, so that a mirrored picture has the mirrored interfaces.
+  // From both sides on their own, so that a mirrored image has the mirrored interfaces.
   const float weak = kWeakShare * strong;
   scratch.fromRight = scratch.interfaces;
   for (std::size_t n = 1; n < lines; ++n)

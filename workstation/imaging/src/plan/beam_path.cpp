@@ -252,8 +252,8 @@ void BeamPath::compound(const CompoundTable& table, std::span<BeamPath> asides, 
                        std::span(levels).first(asides.size()), bands, echoes_);
 }
 
-void BeamPath::convert(Bands& bands, ImageView<std::uint8_t> picture) const {
-  bands.run(picture.height, [&](int firstRow, int count, int) { scanConvert(conversion_, viewOf(echoes_), firstRow, count, picture); });
+void BeamPath::convert(Bands& bands, ImageView<std::uint8_t> image) const {
+  bands.run(image.height, [&](int firstRow, int count, int) { scanConvert(conversion_, viewOf(echoes_), firstRow, count, image); });
 }
 
 void BeamPath::takeLine(int line, std::span<std::uint8_t> beam) const {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "change_detector.h"
 #include "compound.h"
 #include "echoes/live_echoes.h"
 #include "ew/imaging/bands.h"
@@ -15,7 +16,6 @@
 #include "ew/imaging/effects/slice_thickness.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/scan_conversion.h"
-#include "made_from.h"
 #include "own_grain.h"
 
 namespace ew::detail {
@@ -64,7 +64,7 @@ class BeamPath {
   void amplify(Bands& bands);
   /// The mean with levels of other directions.
   void compound(const CompoundTable& table, std::span<BeamPath> asides, Bands& bands);
-  void convert(Bands& bands, ImageView<std::uint8_t> picture) const;
+  void convert(Bands& bands, ImageView<std::uint8_t> image) const;
 
   /// One line of the levels as they are now, rounded; `beam` holds one value a sample.
   void takeLine(int line, std::span<std::uint8_t> beam) const;
@@ -88,23 +88,23 @@ class BeamPath {
   double greyPerDb_ = 0.0;
 
   BeamGrid grid_;
-  MadeFrom<Probe, double, bool, double, double, double> gridFrom_;
+  ChangeDetector<Probe, double, bool, double, double, double> gridFrom_;
   ScanConversionTable conversion_;
-  MadeFrom<BeamGrid, DisplayGeometry> conversionFrom_;
+  ChangeDetector<BeamGrid, DisplayGeometry> conversionFrom_;
   std::vector<ElevationPlane> planes_;
-  MadeFrom<BeamGrid, SliceThicknessEffect, double, int> planesFrom_;
+  ChangeDetector<BeamGrid, SliceThicknessEffect, double, int> planesFrom_;
   LateralKernels kernels_;
-  MadeFrom<BeamGrid, BeamModel> kernelsFrom_;
+  ChangeDetector<BeamGrid, BeamModel> kernelsFrom_;
   std::vector<int> samplesOfRow_;
-  MadeFrom<BeamGrid, BeamModel> samplesOfRowFrom_;
+  ChangeDetector<BeamGrid, BeamModel> samplesOfRowFrom_;
   std::vector<float> noise_;
-  MadeFrom<BeamGrid, NoiseEffect, double, double> noiseFrom_;
+  ChangeDetector<BeamGrid, NoiseEffect, double, double> noiseFrom_;
   BeamGain gain_;
   BeamGainSetting gainSetting_;
-  MadeFrom<BeamGrid, BeamGainSetting> gainFrom_;
+  ChangeDetector<BeamGrid, BeamGainSetting> gainFrom_;
   TissueLosses losses_;
   LiveEchoes live_;
-  MadeFrom<Probe, EchoBeams, Scene, BeamGrid, double, bool, double> liveFrom_;
+  ChangeDetector<Probe, EchoBeams, Scene, BeamGrid, double, bool, double> liveFrom_;
   bool isLive_ = false;
   bool hasField_ = false;   ///< live echoes whose envelope was not taken yet
   bool hasLabels_ = false;  ///< of the frame in work

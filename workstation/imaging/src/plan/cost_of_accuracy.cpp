@@ -117,7 +117,7 @@ class CostMeasurement {
   Exact exact_;
 };
 
-/// On at most kMostPerPose points of each picture: a grid of them, so that all depths count alike.
+/// On at most kMostPerPose points of each image: a grid of them, so that all depths count alike.
 bool CostMeasurement::computeExact() {
   progress_.report(say<"Computing the exact slices">(), 0.0);
   const int every = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(bench_.width) * bench_.height / kMostPerPose))));
@@ -160,12 +160,12 @@ bool CostMeasurement::timeQualities() {
 
 /// Slices of a quality against the exact ones.
 bool CostMeasurement::compareSlices(Quality quality, detail::Difference& difference) {
-  GreyImage picture(bench_.width, bench_.height);
+  GreyImage image(bench_.width, bench_.height);
   SliceScratch scratch;
   for (std::size_t n = 0; n < poses_.size(); ++n) {
     if (progress_.cancelRequested()) return false;
-    slice(quality, echo_, echo_.grid.worldToVoxel() * poses_[n].probeToWorld * geometry_.imageToProbe(), fan_, viewOf(picture), scratch);
-    for (const Exact::Point& p : exact_.ofPose[n]) difference.add(viewOf(picture).at(p.x, p.y) - p.level);
+    slice(quality, echo_, echo_.grid.worldToVoxel() * poses_[n].probeToWorld * geometry_.imageToProbe(), fan_, viewOf(image), scratch);
+    for (const Exact::Point& p : exact_.ofPose[n]) difference.add(viewOf(image).at(p.x, p.y) - p.level);
   }
   return true;
 }
@@ -184,14 +184,14 @@ bool CostMeasurement::timePlanes() {
     detail::Difference difference;
     std::size_t n = 0;
     point.frame_ms =
-        bench_.time_ms(knobs, progress_, [&](const Pose&, const ImageView<const std::uint8_t>& picture, const FrameMaker& maker) {
+        bench_.time_ms(knobs, progress_, [&](const Pose&, const ImageView<const std::uint8_t>& image, const FrameMaker& maker) {
           if (planes == kMost) {
-            GreyImage& kept = finest.emplace_back(picture.width, picture.height);
-            for (int y = 0; y < picture.height; ++y) std::copy_n(picture.row(y), picture.width, viewOf(kept).row(y));
+            GreyImage& kept = finest.emplace_back(image.width, image.height);
+            for (int y = 0; y < image.height; ++y) std::copy_n(image.row(y), image.width, viewOf(kept).row(y));
           }
-          for (int y = 0; y < picture.height; ++y) {
+          for (int y = 0; y < image.height; ++y) {
             for (const RowSpan& run : maker.spans()[static_cast<std::size_t>(y)]) {
-              for (int x = run.begin; x < run.end; ++x) difference.add(static_cast<double>(picture.at(x, y)) - viewOf(finest[n]).at(x, y));
+              for (int x = run.begin; x < run.end; ++x) difference.add(static_cast<double>(image.at(x, y)) - viewOf(finest[n]).at(x, y));
             }
           }
           ++n;

@@ -38,11 +38,11 @@ Result<CostOfAccuracy> measureCostOfEchoes(const FrameInput& subject, const Prob
   knobs.quality = Quality::linear;
   const detail::CostBench fine{subject, probe, finest, poses, width, height, once};
   const double reference_ms =
-      fine.time_ms(knobs, progress, [&](const Pose&, const ImageView<const std::uint8_t>& picture, const FrameMaker& maker) {
-        const GreyImage& kept = reference.emplace_back(copyOf(picture));
+      fine.time_ms(knobs, progress, [&](const Pose&, const ImageView<const std::uint8_t>& image, const FrameMaker& maker) {
+        const GreyImage& kept = reference.emplace_back(copyOf(image));
         for (int y = 0; y < kept.height; ++y)
           for (const RowSpan& run : maker.spans()[static_cast<std::size_t>(y)])
-            for (int x = run.begin; x < run.end; ++x) result.comparedPixels += picture.at(x, y) > 0 ? 1 : 0;
+            for (int x = run.begin; x < run.end; ++x) result.comparedPixels += image.at(x, y) > 0 ? 1 : 0;
       });
   if (reference_ms < 0.0) return cancelled();
   if (result.comparedPixels < detail::kFewestCompared) {
@@ -58,14 +58,13 @@ Result<CostOfAccuracy> measureCostOfEchoes(const FrameInput& subject, const Prob
     point.knobs.quality = knobs.quality = quality;
     detail::Difference difference;
     std::size_t n = 0;
-    point.frame_ms =
-        bench.time_ms(knobs, progress, [&](const Pose&, const ImageView<const std::uint8_t>& picture, const FrameMaker& maker) {
-          const GreyImage& exact = reference[n++];
-          for (int y = 0; y < picture.height; ++y)
-            for (const RowSpan& run : maker.spans()[static_cast<std::size_t>(y)])
-              for (int x = run.begin; x < run.end; ++x)
-                if (const double level = viewOf(exact).at(x, y); level > 0.0) difference.add(picture.at(x, y) - level);
-        });
+    point.frame_ms = bench.time_ms(knobs, progress, [&](const Pose&, const ImageView<const std::uint8_t>& image, const FrameMaker& maker) {
+      const GreyImage& exact = reference[n++];
+      for (int y = 0; y < image.height; ++y)
+        for (const RowSpan& run : maker.spans()[static_cast<std::size_t>(y)])
+          for (int x = run.begin; x < run.end; ++x)
+            if (const double level = viewOf(exact).at(x, y); level > 0.0) difference.add(image.at(x, y) - level);
+    });
     if (point.frame_ms < 0.0) return cancelled();
     difference.putInto(point);
     result.qualities.push_back(std::move(point));

@@ -64,7 +64,7 @@ struct CostBench {
   int width, height;
   const CostOptions& options;
 
-  /// Median time of a frame, ms; `seen` gets the picture of each pose. @return negative when cancelled or no picture was made
+  /// Median time of a frame, ms; `seen` gets the image of each pose. @return negative when cancelled or no image was made
   template <class Seen>
   double time_ms(const Knobs& knobs, Progress& progress, const Seen& seen) const {
     FrameMaker maker(options.threads);
@@ -76,11 +76,11 @@ struct CostBench {
       for (int n = 0; n <= options.repeats; ++n) {
         if (progress.cancelRequested()) return -1.0;
         const auto begin = std::chrono::steady_clock::now();
-        const ImageView<const std::uint8_t> picture = maker.make(input).grey;
+        const ImageView<const std::uint8_t> image = maker.make(input).grey;
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
         if (maker.lastStatus() != PoseStatus::ok) return -1.0;
         if (n > 0) times_ms.push_back(took.count());
-        if (n == 0) seen(pose, picture, maker);
+        if (n == 0) seen(pose, image, maker);
       }
     }
     return median(times_ms);
@@ -98,7 +98,7 @@ inline Scene quietOf(Scene scene) {
   return scene;
 }
 
-/// @error badField, notRigid for a pose that gives no picture
+/// @error badField, notRigid for a pose that gives no image
 inline Result<void> checkUsable(const Pose& pose) {
   if (pose.status != PoseStatus::ok)
     return failure(ErrorCode::badField, say<"The probe has no place; hold it on the body and measure again.">());

@@ -77,15 +77,15 @@ struct FrameMaker::Parts {
   detail::BeamPath beams_;
   std::vector<detail::BeamPath> asides_;  ///< the other directions of a compound image
   detail::CompoundTable compound_;
-  detail::MadeFrom<Probe, BeamGrid, double, int> compoundFrom_;
-  detail::MadeFrom<Probe, double, bool, DisplayGeometry> picturesFrom_;
-  detail::MadeFrom<Probe, double, bool, double, double> stripFrom_;
+  detail::ChangeDetector<Probe, BeamGrid, double, int> compoundFrom_;
+  detail::ChangeDetector<Probe, double, bool, DisplayGeometry> imagesFrom_;
+  detail::ChangeDetector<Probe, double, bool, double, double> stripFrom_;
   GreyImage sampled_;               ///< black outside the fan, for good: steps write inside alone
   GreyImage sharpened_;             ///< likewise
-  GreyImage* picture_ = nullptr;    ///< the one shown
+  GreyImage* image_ = nullptr;      ///< the one shown
   double zoomSamplingShare_ = 1.0;  ///< of the last slice; the rest was its stretch
-  detail::MadeFrom<double, std::array<double, kDgcSliders>, Tone> tableFrom_;
-  detail::MadeFrom<double, std::array<double, kDgcSliders>, Tone, std::size_t> beamTableFrom_;
+  detail::ChangeDetector<double, std::array<double, kDgcSliders>, Tone> tableFrom_;
+  detail::ChangeDetector<double, std::array<double, kDgcSliders>, Tone, std::size_t> beamTableFrom_;
   std::vector<double> rowPosition_;  ///< depth of each row, 0 at the face, 1 at the bottom
   std::vector<std::uint8_t> table_;  ///< 256 grey levels of each row
   std::vector<double> samplePosition_;
@@ -101,14 +101,14 @@ void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& 
                            bool hasLabels, const Pan& pan, bool hasTissue, bool isRecorded) {
   parts_->configure(probe, knobs, scene, grid, width, height, hasLabels, pan, hasTissue, isRecorded);
 }
-Picture FrameMaker::make(const FrameInput& input) { return {parts_->make(input)}; }
-Picture FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
+DisplayImage FrameMaker::make(const FrameInput& input) { return {parts_->make(input)}; }
+DisplayImage FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
   FrameInput input;
   input.echo = volume;
   input.pose = pose;
   return make(input);
 }
-ImageView<const std::uint8_t> FrameMaker::strip() const { return parts_->strip_.picture(); }
+ImageView<const std::uint8_t> FrameMaker::strip() const { return parts_->strip_.image(); }
 const MModeStrip& FrameMaker::mMode() const { return parts_->strip_; }
 int FrameMaker::stripCursor() const { return parts_->strip_.cursor(); }
 void FrameMaker::forget() {
@@ -122,7 +122,7 @@ FrameMemory FrameMaker::memory() const {
   return memory;
 }
 void FrameMaker::recall(const FrameMemory& memory) {
-  const ImageView<const std::uint8_t> mine = parts_->strip_.picture(), theirs = memory.strip.picture();
+  const ImageView<const std::uint8_t> mine = parts_->strip_.image(), theirs = memory.strip.image();
   if (mine.width == theirs.width && mine.height == theirs.height) parts_->strip_ = memory.strip;
   if (memory.persistence.empty)
     parts_->persistence_.empty = true;
@@ -158,7 +158,7 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   if (knobs_.persistence == 0.0) persistence_.empty = true;
 
   geometry_ = fitDisplay(probe, knobs_, width, height, pan);
-  if (picturesFrom_.changesTo(probe, knobs_.steering_rad, knobs_.trapezoid, geometry_)) {
+  if (imagesFrom_.changesTo(probe, knobs_.steering_rad, knobs_.trapezoid, geometry_)) {
     spans_ = fanSpans(probe, knobs_, geometry_);
     sampled_ = GreyImage(width, height);
     sharpened_ = GreyImage(width, height);
@@ -168,7 +168,7 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
       rowPosition_[static_cast<std::size_t>(y)] = std::clamp(geometry_.probePoint_mm(0, y).y / geometry_.depth_mm, 0.0, 1.0);
     tableFrom_ = {};
   }
-  picture_ = knobs_.edgeEnhancement > 0.0 ? &sharpened_ : &sampled_;
+  image_ = knobs_.edgeEnhancement > 0.0 ? &sharpened_ : &sampled_;
 
   const double spacing_mm =
       formsEchoes(scene_) ? detail::liveSpacing_mm(probe, knobs_, scene_, geometry_.depth_mm) : detail::beamSpacing_mm(geometry_, grid);
@@ -255,9 +255,9 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   status_ = input.pose.status;
   if (status_ == PoseStatus::ok && !checkRigid(input.pose.probeToWorld.matrix)) status_ = PoseStatus::invalid;
   if (status_ != PoseStatus::ok) {
-    blacken(*picture_);
+    blacken(*image_);
     persistence_.empty = true;
-    return viewOf(std::as_const(*picture_));
+    return viewOf(std::as_const(*image_));
   }
   beams_.place(input.echo.grid.worldToVoxel() * input.pose.probeToWorld);
   const bool isLifted = scene_.contact && input.gaps_mm.size() >= 2 && beams_.findContact(input.gaps_mm);
@@ -274,7 +274,7 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
       sampling.measured_us *= zoomSamplingShare_;
     }
   }
-  return viewOf(std::as_const(*picture_));
+  return viewOf(std::as_const(*image_));
 }
 
 void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
@@ -294,14 +294,14 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
     case StepKind::edges:
       return sharpen();
     case StepKind::persistence:
-      beginPersistence(picture_->width, picture_->height, persistence_);
-      return bands_.run(picture_->height, [this](int firstRow, int count, int) {
-        persist(knobs_.persistence, spans_, firstRow, count, viewOf(*picture_), persistence_);
+      beginPersistence(image_->width, image_->height, persistence_);
+      return bands_.run(image_->height, [this](int firstRow, int count, int) {
+        persist(knobs_.persistence, spans_, firstRow, count, viewOf(*image_), persistence_);
       });
     case StepKind::table:
-      return bands_.run(picture_->height, [this](int firstRow, int count, int) {
+      return bands_.run(image_->height, [this](int firstRow, int count, int) {
         const auto first = static_cast<std::size_t>(firstRow), rows = static_cast<std::size_t>(count);
-        applyGainTable({viewOf(*picture_).row(firstRow), picture_->width, count, picture_->width}, std::span(spans_).subspan(first, rows),
+        applyGainTable({viewOf(*image_).row(firstRow), image_->width, count, image_->width}, std::span(spans_).subspan(first, rows),
                        std::span(table_).subspan(256 * first, 256 * rows));
       });
     case StepKind::scatterers:
@@ -361,7 +361,7 @@ void FrameMaker::Parts::runOnBeams(StepKind kind, const FrameInput& input, detai
     case StepKind::edges:
     case StepKind::persistence:
     case StepKind::table:
-      EW_EXPECTS(false);  // of the picture, not of lines
+      EW_EXPECTS(false);  // of the image, not of lines
   }
 }
 

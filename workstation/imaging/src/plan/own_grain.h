@@ -9,13 +9,13 @@
 namespace ew::detail {
 
 /// How the grain of a recorded volume goes into live echoes: with w = own_grain, level L, live echo V and the volume's own grey G, all as
-/// levels of the picture,
+/// levels of the image,
 ///   L + sqrt(1 - w^2) (V - L) + w (G - L).
 /// Both grains lie about the same level and know nothing of each other, so where they are as strong as each other the sum is as well,
 /// whatever w; 0 is the live echo, 1 the slice. Where a volume has little grain of its own (averaged, interpolated), little is added.
 struct OwnGrain {
   float live = 1.0F, own = 0.0F, level = 0.0F;  ///< weights, of the sum 1
-  std::array<float, 256> ofGrey{};              ///< what a grey of the volume is as a level of the picture
+  std::array<float, 256> ofGrey{};              ///< what a grey of the volume is as a level of the image
   std::array<float, 256> ofLevel{};             ///< the same of the maps' level
 };
 

@@ -15,7 +15,7 @@ struct FrameSize {
   int samples = 0;
 };
 
-/// Sample distance along beams, mm: a pixel of the picture or half of the volume's finest voxel, whichever is larger, but 200 to 1200
+/// Sample distance along beams, mm: a pixel of the image or half of the volume's finest voxel, whichever is larger, but 200 to 1200
 /// samples to the depth. Finer than that, a volume has nothing to show.
 [[nodiscard]] double beamSpacing_mm(const DisplayGeometry& geometry, const Grid& grid);
 
@@ -35,7 +35,7 @@ struct FrameSize {
 /// echoWorkOf for what was brought within limits already, with the quality the knobs ask for in the scene.
 [[nodiscard]] EchoWork knownEchoWork(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
 
-/// Everything there is to sample for a picture.
+/// Everything there is to sample for an image.
 /// @param spacing_mm of samples along beams
 [[nodiscard]] FrameSize frameSizeOf(const Probe& probe, const DisplayGeometry& geometry, double spacing_mm, const Spans& spans);
 

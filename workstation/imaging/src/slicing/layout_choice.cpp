@@ -36,7 +36,7 @@ SliceSource SliceSource::inLayoutFor(const SliceClass& slice) const {
   return chosen;
 }
 
-SliceSource inBothLayouts(const VolumeView<const std::uint8_t>& rows, const BrickedVolume& bricks, const LayoutChoice& choice) {
+SliceSource inBothLayouts(const VolumeView<const std::uint8_t>& rows, const BrickVolume& bricks, const LayoutChoice& choice) {
   SliceSource both = rows;
   both.bricks = bricks.source(rows.grid).voxels;
   both.choice = choice;

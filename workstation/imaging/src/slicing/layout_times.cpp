@@ -64,7 +64,7 @@ std::vector<ImageToVoxel> planesOf(const SliceClass& wanted, const glm::ivec3& d
 }
 
 /// The least time of each plane of a class on each visit.
-struct TimedClass {
+struct ClassTimes {
   std::vector<ImageToVoxel> planes;
   std::array<std::vector<double>, 2> least_us;  ///< from rows, from bricks
 };
@@ -98,9 +98,9 @@ double LayoutTimes::chosen_us() const {
   return std::exp(sum);
 }
 
-LayoutTimes timeLayouts(const VolumeView<const std::uint8_t>& volume, const BrickedVolume& bricks) {
+LayoutTimes timeLayouts(const VolumeView<const std::uint8_t>& volume, const BrickVolume& bricks) {
   const std::array<SliceSource, 2> sources = {SliceSource(volume), bricks.source(volume.grid)};
-  std::array<TimedClass, SliceClass::kCount> classes;
+  std::array<ClassTimes, SliceClass::kCount> classes;
   for (std::size_t n = 0; n < classes.size(); ++n) {
     classes[n].planes = planesOf(SliceClass::at(n), volume.grid.dims);
     for (auto& times_us : classes[n].least_us) times_us.assign(kVisits * classes[n].planes.size(), std::numeric_limits<double>::infinity());

@@ -30,7 +30,7 @@ struct Rows {
   int end = 0;
 };
 
-/// Whether the first and the last row of a plane can be sampled: then one that cannot makes the whole picture black.
+/// Whether the first and the last row of a plane can be sampled: then one that cannot makes the whole image black.
 bool reachesInRange(const glm::dmat4& imageToVoxel, int height) {
   return detail::isInRange(glm::dvec3(imageToVoxel[3])) && detail::isInRange(glm::dvec3(imageToVoxel[1]) * static_cast<double>(height));
 }

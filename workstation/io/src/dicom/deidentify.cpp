@@ -27,7 +27,7 @@ std::vector<Message> sentencesOf(const Removed& removed) {
     sentences.push_back(removed.privateFields == 1 ? say<"1 private field of the maker left out.">()
                                                    : say<"%1 private fields of the maker left out.">(removed.privateFields));
   if (removed.pixelsPerFrame > 0)
-    sentences.push_back(say<"%1 pixels of each picture cut away or made black, with any text in them.">(removed.pixelsPerFrame));
+    sentences.push_back(say<"%1 pixels of each image cut away or made black, with any text in them.">(removed.pixelsPerFrame));
   if (sentences.empty()) sentences.push_back(say<"Nothing that names a person was found.">());
   return sentences;
 }

@@ -8,7 +8,7 @@
 #include "dicom/dicom_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/io/dicom.h"
-#include "ew/io/kept_share.h"
+#include "ew/io/retention.h"
 #include "files/grey_samples.h"
 #include "files/image_header.h"
 
@@ -27,7 +27,7 @@ Message listed(const std::vector<UltrasoundRegion>& regions) {
   return joined(std::move(list), "; ");
 }
 
-/// How rectangles lie to each other, as in "two pictures side by side".
+/// How rectangles lie to each other, as in "two images side by side".
 Message arrangementOf(const std::vector<UltrasoundRegion>& regions, const std::vector<std::size_t>& chosen) {
   bool areSame = false, isInside = false, overlap = false, besideAll = true, aboveAll = true;
   for (std::size_t n = 0; n < chosen.size(); ++n)
@@ -60,10 +60,10 @@ Message shapeOf(double heightByWidth) {
 struct Chosen {
   PixelRect rect;
   glm::dvec2 pixel_mm{0.0};
-  const UltrasoundRegion* region = nullptr;  ///< null: the whole picture
+  const UltrasoundRegion* region = nullptr;  ///< null: the whole image
 };
 
-/// The size of a pixel given for a whole picture, held against what the file says of its shape.
+/// The size of a pixel given for a whole image, held against what the file says of its shape.
 void noteShape(const DicomScale& scale, const glm::dvec2& given_mm, std::vector<Message>& notes) {
   const double given = given_mm.y / given_mm.x;
   if (scale.spacing_mm && glm::length(*scale.spacing_mm - given_mm) > 0.01 * glm::length(given_mm))
@@ -99,7 +99,7 @@ Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const Dic
   const auto take = [&](std::size_t index) -> Result<Chosen> {
     const UltrasoundRegion& region = regions[index];
     if (!region.usable() && (region.rect.width < 1 || region.stale))
-      return ask("pixel-mm", say<"Region %1 of %2 cannot be used; take the whole picture and give the size of a pixel in mm.">(
+      return ask("pixel-mm", say<"Region %1 of %2 cannot be used; take the whole image and give the size of a pixel in mm.">(
                                  region.describe(index + 1), quoted(file)));
     if (!region.usable() && !options.pixel_mm)
       return ask("pixel-mm", say<"Region %1 of %2 cannot be used as it is; give the size of a pixel in mm, or choose another region.">(
@@ -119,19 +119,19 @@ Result<Chosen> choose(const fs::path& file, const PixelLayout& layout, const Dic
   };
   if (options.region && *options.region > 0) {
     if (static_cast<std::size_t>(*options.region) > regions.size())
-      return ask("region", counted<"%2 has %1 region, no region %3; choose one that is there, or 0 for the whole picture.",
-                                   "%2 has %1 regions, no region %3; choose one that is there, or 0 for the whole picture.">(
+      return ask("region", counted<"%2 has %1 region, no region %3; choose one that is there, or 0 for the whole image.",
+                                   "%2 has %1 regions, no region %3; choose one that is there, or 0 for the whole image.">(
                                regions.size(), quoted(file), *options.region));
     return take(static_cast<std::size_t>(*options.region) - 1);
   }
-  if (options.region) {  // the whole picture
+  if (options.region) {  // the whole image
     if (!options.pixel_mm && !scale.spacing_mm)
-      return ask("pixel-mm", say<"The whole picture of %1 has no size of a pixel of its own; give it in mm.">(quoted(file)));
+      return ask("pixel-mm", say<"The whole image of %1 has no size of a pixel of its own; give it in mm.">(quoted(file)));
     return takeWhole();
   }
   if (scale.onlyRegion) return take(*scale.onlyRegion);
   if (scale.bModes.size() > 1)
-    return ask("region", say<"%1 shows %2 calibrated pictures %3 (%4); choose one of the regions.">(
+    return ask("region", say<"%1 shows %2 calibrated images %3 (%4); choose one of the regions.">(
                              quoted(file), scale.bModes.size(), arrangementOf(regions, scale.bModes), listed(regions)));
   if (options.pixel_mm || scale.spacing_mm) return takeWhole();
   if (regions.empty())
@@ -185,7 +185,7 @@ Result<void> settleColours(Cine& cine, ColourRule rule, bool flowRegion, const f
     return {};
   }
   const std::string share = percent(cine.colouredShare);
-  // A few pixels are a marker or the noise of a codec, not a Doppler picture.
+  // A few pixels are a marker or the noise of a codec, not a Doppler image.
   constexpr double few = 0.0005;
   if (rule == ColourRule::ask && (cine.colouredShare > few || flowRegion))
     return failure(ErrorCode::unsupported,
@@ -212,35 +212,33 @@ Result<void> settleColours(Cine& cine, ColourRule rule, bool flowRegion, const f
 
 /// The frames of a cine without poses, at these times (s; empty: unknown).
 void addFrames(Cine& cine, const std::vector<double>& times_s, std::uint64_t frames) {
-  glm::dmat4 imageToPicture(1.0);
-  imageToPicture[0][0] = cine.pixel_mm.x;
-  imageToPicture[1][1] = cine.pixel_mm.y;
-  imageToPicture[2][2] = std::sqrt(cine.pixel_mm.x * cine.pixel_mm.y);
+  glm::dmat4 imageToPlane(1.0);
+  imageToPlane[0][0] = cine.pixel_mm.x;
+  imageToPlane[1][1] = cine.pixel_mm.y;
+  imageToPlane[2][2] = std::sqrt(cine.pixel_mm.x * cine.pixel_mm.y);
   for (std::uint64_t n = 0; n < frames; ++n) {
     SequenceFrame frame;
     if (!times_s.empty()) frame.time_s = times_s[n];
-    frame.transforms.push_back({"Image", "Picture", imageToPicture, PoseStatus::ok});
+    frame.transforms.push_back({"Image", "Picture", imageToPlane, PoseStatus::ok});
     cine.sequence.frames.push_back(std::move(frame));
   }
 }
 
-/// Notes on where the pictures lie, and on text that may be burned in (`burnedIn`: the file's word on it).
+/// Notes on where the images lie, and on text that may be burned in (`burnedIn`: the file's word on it).
 void tellPlace(Cine& cine, const Chosen& chosen, const std::vector<UltrasoundRegion>& regions, const std::string& burnedIn) {
   cine.notes.push_back(
-      say<"The pictures have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 "
+      say<"The images have no place in space: Picture counts mm from the middle of the upper left pixel, x to the right, y down, %1 x %2 "
           "mm a pixel; the file does not say on which side the probe's marker is.">(number(cine.pixel_mm.x), number(cine.pixel_mm.y)));
   if (chosen.region != nullptr) {
     const UltrasoundRegion& region = *chosen.region;
-    cine.notes.push_back(
-        say<"The pictures were cut to region %1.">(region.describe(static_cast<std::size_t>(&region - regions.data()) + 1)));
+    cine.notes.push_back(say<"The images were cut to region %1.">(region.describe(static_cast<std::size_t>(&region - regions.data()) + 1)));
     if (region.referencePixel)
-      cine.notes.push_back(say<"The region counts its own mm from pixel (%1, %2) of the cut picture, where x is %3 and y is %4.">(
+      cine.notes.push_back(say<"The region counts its own mm from pixel (%1, %2) of the cut image, where x is %3 and y is %4.">(
           number(region.referencePixel->x), number(region.referencePixel->y), number(10.0 * region.referenceValue.x),
           number(10.0 * region.referenceValue.y)));
   } else if (burnedIn != "NO") {
-    cine.notes.push_back(burnedIn == "YES"
-                             ? say<"Text is burned into the pictures; check that what is left names nobody.">()
-                             : say<"The file does not rule out text burned into the pictures; check that they name nobody.">());
+    cine.notes.push_back(burnedIn == "YES" ? say<"Text is burned into the images; check that what is left names nobody.">()
+                                           : say<"The file does not rule out text burned into the images; check that they name nobody.">());
   }
 }
 
@@ -255,7 +253,7 @@ bool isDicom(const fs::path& file) {
   return looksLikeDicom(beginning);
 }
 
-Result<DicomSummary> inspectDicom(const fs::path& file, const ReadLimits& limits) {
+Result<DicomSummary> inspectDicom(const fs::path& file, const ReaderLimits& limits) {
   const auto dicom = readDicomFile(file, limits.maxBytes);
   if (!dicom) return passOn(dicom.error());
   DicomSummary summary;
@@ -285,7 +283,7 @@ Result<DicomSummary> inspectDicom(const fs::path& file, const ReadLimits& limits
   return summary;
 }
 
-Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Progress& progress, const ReadLimits& limits) try {
+Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Progress& progress, const ReaderLimits& limits) try {
   const auto dicom = readDicomFile(file, limits.maxBytes, progress);
   if (!dicom) return passOn(dicom.error());
   const auto layout = pixelLayoutOf(*dicom, limits);
@@ -303,7 +301,7 @@ Result<Cine> readDicomCine(const fs::path& file, const CineOptions& options, Pro
   const bool burnedIn = dicom->data.text(0x00280301u) == "YES";
   if (burnedIn && chosen->region == nullptr && options.blank.empty() && !options.keepText)
     return failure(ErrorCode::unsupported,
-                   say<"The pictures of %1 have text burned in, which may name the patient; choose a region, name the rectangles to make "
+                   say<"The images of %1 have text burned in, which may name the patient; choose a region, name the rectangles to make "
                        "black, or say that the text may stay.">(quoted(file)),
                    {{"file", file.string()}, {"ask", "blank"}});
 

@@ -187,7 +187,7 @@ class Parser {
   [[nodiscard]] bool lacksPadding(std::uint32_t length, std::size_t there, std::size_t end) const {
     return length % 2 == 0 && length == there + 1 && end == bytes_.size();
   }
-  /// Whether a packed picture can be whole with this last fragment: one of the JPEG family ends with a mark; of the others whoever unpacks
+  /// Whether a packed image can be whole with this last fragment: one of the JPEG family ends with a mark; of the others whoever unpacks
   /// them sees it.
   [[nodiscard]] static bool mayEndStream(const DicomElement& pixels, Bytes last) {
     const Bytes first = pixels.fragments.size() > 1 ? pixels.fragments[1] : last;
@@ -279,7 +279,7 @@ class Parser {
       }
       const DicomTag tag = tagAt(at);
       const auto length = numberAt<std::uint32_t>(bytes_, at + 4, bigEndian_);
-      // Zeros where the mark should be, as some devices write them: whether pictures are missing is seen by whoever counts them.
+      // Zeros where the mark should be, as some devices write them: whether images are missing is seen by whoever counts them.
       if (tag == 0 && length == 0 && unmarked()) return true;
       at += 8;
       if (tag == kSequenceEnd) return true;

@@ -29,7 +29,7 @@ Message kindOf(const UltrasoundRegion& region) {
     case 4:
       return say<"curve">();
     default:
-      return say<"another kind of picture">();
+      return say<"another kind of image">();
   }
 }
 
@@ -147,8 +147,8 @@ bool reachesBeyond(const PixelRect& rect, std::uint64_t columns, std::uint64_t r
 
 Message problemOf(const UltrasoundRegion& region, bool placed, std::uint64_t columns, std::uint64_t rows) {
   if (!placed) return say<"its corners are missing or crossed">();
-  if (region.stale) return say<"it reaches beyond the picture of %1 x %2 pixels, so that it was made for another size">(columns, rows);
-  if (region.spatialFormat != 1) return say<"it is no two-dimensional picture">();
+  if (region.stale) return say<"it reaches beyond the image of %1 x %2 pixels, so that it was made for another size">(columns, rows);
+  if (region.spatialFormat != 1) return say<"it is no two-dimensional image">();
   if (region.unitsX != 3 || region.unitsY != 3) return say<"its units are not cm">();
   const auto usable = [](double delta) { return std::isfinite(delta) && delta > 1e-6 && delta < 10.0; };
   if (!usable(region.deltaX) || !usable(region.deltaY)) return say<"it gives no size of a pixel">();
@@ -181,7 +181,7 @@ std::vector<UltrasoundRegion> regionsOf(const DicomItem& data, std::uint64_t col
     const bool placed = x0 && y0 && x1 && y1 && *x1 > *x0 && *y1 > *y0 && *x1 < largest && *y1 < largest;
     if (placed) {
       region.rect = {static_cast<int>(*x0), static_cast<int>(*y0), static_cast<int>(*x1 - *x0 + 1), static_cast<int>(*y1 - *y0 + 1)};
-      // The lower right corner is inside the region; writers that count it outside end one pixel beyond the picture.
+      // The lower right corner is inside the region; writers that count it outside end one pixel beyond the image.
       if (*x1 == columns) --region.rect.width;
       if (*y1 == rows) --region.rect.height;
     }
@@ -358,7 +358,7 @@ constexpr std::array kTouchingFields{
     DicomField{0x00082143u, "Stop Trim", FieldTouches::count},
 };
 constexpr auto kTouchingNames = [] {
-  std::array<KnownField, kTouchingFields.size()> names;
+  std::array<FieldTableRow, kTouchingFields.size()> names;
   for (std::size_t n = 0; n < names.size(); ++n) names[n] = {kTouchingFields[n].name, kTouchingFields[n].touches};
   return names;
 }();

@@ -22,7 +22,7 @@ struct DicomScale {
   std::vector<UltrasoundRegion> regions;
   std::optional<std::size_t> onlyRegion;  ///< the one calibrated B-mode region there is, none being stale
   std::vector<std::size_t> bModes;        ///< all calibrated B-mode regions
-  std::optional<glm::dvec2> spacing_mm;   ///< Pixel Spacing of the whole picture, where no region says anything
+  std::optional<glm::dvec2> spacing_mm;   ///< Pixel Spacing of the whole image, where no region says anything
   std::optional<double> heightByWidth;    ///< of a pixel, by Pixel Aspect Ratio
   std::vector<Message> hints;             ///< other fields that speak of it and prove nothing, as in "Imager Pixel Spacing 0.1\0.1"
   std::vector<Message> notes;             ///< what was read in another way than it is written
@@ -31,7 +31,7 @@ struct DicomScale {
 
 /// What a file states and no reader here uses although it touches geometry, levels, time or count, in sentences; what is neutral (a
 /// rescaling by 1, a window as wide as the levels) states nothing.
-/// @param pixel_mm of the pictures as they were read; a Pixel Spacing or Pixel Aspect Ratio that says the same is used
+/// @param pixel_mm of the images as they were read; a Pixel Spacing or Pixel Aspect Ratio that says the same is used
 /// @param placed   whether position and orientation are used
 [[nodiscard]] std::vector<Message> unusedFields(const DicomItem& data, const std::optional<glm::dvec2>& pixel_mm, bool placed = false);
 

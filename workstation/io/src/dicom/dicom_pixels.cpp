@@ -236,10 +236,10 @@ Result<FrameReader> FrameReader::open(const DicomFile& dicom, const PixelLayout&
   const std::vector<Bytes>& all = pixels.fragments;
   reader.packed_.resize(layout.frames);
   if (layout.frames == 1) {
-    // A second picture behind the only one that is named is not a part of it.
+    // A second image behind the only one that is named is not a part of it.
     const auto second = layout.codec == "RLE" || all.size() < 3
                             ? all.end()
-                            : std::find_if(all.begin() + 2, all.end(), [&](Bytes fragment) { return layout.beginsPicture(fragment); });
+                            : std::find_if(all.begin() + 2, all.end(), [&](Bytes fragment) { return layout.beginsImage(fragment); });
     reader.packed_[0].assign(all.begin() + 1, second);
     return reader;
   }
@@ -250,15 +250,14 @@ Result<FrameReader> FrameReader::open(const DicomFile& dicom, const PixelLayout&
   // Several fragments a frame: a new frame begins where a stream begins.
   std::size_t frame = 0;
   for (std::size_t n = 1; n < all.size(); ++n) {
-    if (n > 1 && layout.beginsPicture(all[n])) ++frame;
+    if (n > 1 && layout.beginsImage(all[n])) ++frame;
     if (frame >= layout.frames) break;
     reader.packed_[frame].push_back(all[n]);
   }
   if (frame + 1 < layout.frames)
-    return failure(
-        ErrorCode::badHeader,
-        say<"%1 holds %2 packed pictures, but promises %3 frames; export it again.">(quoted(dicom.file), frame + 1, layout.frames),
-        {{"file", dicom.file.string()}});
+    return failure(ErrorCode::badHeader,
+                   say<"%1 holds %2 packed images, but promises %3 frames; export it again.">(quoted(dicom.file), frame + 1, layout.frames),
+                   {{"file", dicom.file.string()}});
   return reader;
 }
 
@@ -343,7 +342,7 @@ Result<void> FrameReader::read(std::uint64_t frame, std::vector<std::int32_t>& l
 }
 
 Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& layout, const std::vector<std::uint64_t>& which,
-                                  const ReadLimits& limits, Progress& progress, std::vector<Message>& notes) try {
+                                  const ReaderLimits& limits, Progress& progress, std::vector<Message>& notes) try {
   const auto reader = FrameReader::open(dicom, layout);
   if (!reader) return passOn(reader.error());
   const std::size_t pixels = layout.pixelsPerFrame();
@@ -375,7 +374,7 @@ Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& lay
             : say<"The samples have %1 bits: values from %2 to %3 were mapped to 0 to 255.">(layout.bitsStored, lowest, highest));
   }
   const bool inverted = layout.photometric == "MONOCHROME1";
-  if (inverted) notes.push_back(say<"The pictures are stored with black as the highest value (MONOCHROME1) and were turned over.">());
+  if (inverted) notes.push_back(say<"The images are stored with black as the highest value (MONOCHROME1) and were turned over.">());
   GreyFrames grey;
   grey.level.resize(pixels * which.size());
   if (layout.inColour()) grey.coloured.resize(pixels * which.size());
@@ -405,17 +404,17 @@ Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& lay
 Result<JpegGrey> readJpeg(Bytes bytes, const fs::path& file, std::uint64_t mostPixels, const Progress& progress) {
   const auto head = packedHead(Codec::jpeg, bytes);
   if (!head || head->bits != 8)
-    return failure(ErrorCode::badHeader, say<"%1 is not a JPEG of 8 bits that can be read; save the picture again.">(quoted(file)),
+    return failure(ErrorCode::badHeader, say<"%1 is not a JPEG of 8 bits that can be read; save the image again.">(quoted(file)),
                    {{"file", file.string()}});
   if (head->width * head->height > mostPixels)
     return failure(
         ErrorCode::tooLarge,
-        say<"%1 promises %2 pixels, but the limit is %3; save a smaller picture.">(quoted(file), head->width * head->height, mostPixels),
+        say<"%1 promises %2 pixels, but the limit is %3; save a smaller image.">(quoted(file), head->width * head->height, mostPixels),
         {{"file", file.string()}});
   const auto unpacked = unpack(Codec::jpeg, bytes, *head, 8, 8, false, progress);
   if (!unpacked && progress.cancelRequested()) return stopped(file);
   if (!unpacked)
-    return failure(ErrorCode::badHeader, say<"%1 is a damaged JPEG; save the picture again.">(quoted(file)), {{"file", file.string()}});
+    return failure(ErrorCode::badHeader, say<"%1 is a damaged JPEG; save the image again.">(quoted(file)), {{"file", file.string()}});
   JpegGrey grey;
   grey.width = static_cast<int>(head->width);
   grey.height = static_cast<int>(head->height);

@@ -46,7 +46,7 @@ struct GreyFrames {
 };
 /// @error as FrameReader::read; cancelled, tooLarge
 [[nodiscard]] Result<GreyFrames> readGreyFrames(const DicomFile& dicom, const PixelLayout& layout, const std::vector<std::uint64_t>& which,
-                                                const ReadLimits& limits, Progress& progress, std::vector<Message>& notes);
+                                                const ReaderLimits& limits, Progress& progress, std::vector<Message>& notes);
 
 /// A JPEG file in memory as 8 bit grey. @error badHeader, unsupported, tooLarge (more than mostPixels), cancelled
 struct JpegGrey {

@@ -8,7 +8,7 @@
 
 #include "dicom/dicom_fields.h"
 #include "dicom/plane_stack.h"
-#include "dicom/stack_picture.h"
+#include "dicom/stack_image.h"
 #include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "files/grey_samples.h"
@@ -154,7 +154,7 @@ Result<void> lookAt(const DicomFile& dicom, const PixelLayout& layout, Stills& s
   return {};
 }
 
-Result<Stills> lookThrough(const fs::path& folder, Progress& progress, const ReadLimits& limits) {
+Result<Stills> lookThrough(const fs::path& folder, Progress& progress, const ReaderLimits& limits) {
   const auto files = dicomFilesIn(folder);
   if (files.size() > kMostStills)
     return failure(
@@ -166,14 +166,14 @@ Result<Stills> lookThrough(const fs::path& folder, Progress& progress, const Rea
     if (progress.cancelRequested()) return stopped(folder);
     const auto dicom = readDicomFile(files[n], limits.maxBytes, progress);
     if (!dicom) return passOn(dicom.error());
-    if (dicom->data.find(0x7FE00010u) == nullptr) continue;  // a DICOMDIR or a report beside the pictures
+    if (dicom->data.find(0x7FE00010u) == nullptr) continue;  // a DICOMDIR or a report beside the images
     const auto layout = pixelLayoutOf(*dicom, limits);
     if (!layout) return passOn(layout.error());
     if (auto looked = lookAt(*dicom, *layout, stills, folder, progress); !looked) return passOn(looked.error());
     progress.report(say<"Looking at the stills">(), 0.5 * static_cast<double>(n + 1) / static_cast<double>(files.size()));
   }
   if (stills.files.empty())
-    return notOneVolume(folder, say<"%1 holds no pictures (.png, .jpg, .pgm) and no DICOM files with pictures.">(quoted(folder)));
+    return notOneVolume(folder, say<"%1 holds no images (.png, .jpg, .pgm) and no DICOM files with images.">(quoted(folder)));
   return stills;
 }
 
@@ -191,7 +191,7 @@ Result<void> checkOneVolume(const Stills& stills, const fs::path& folder) {
 }
 
 /// Levels of one still, mapped as those of all are.
-Result<void> addStill(const fs::path& file, const Stills& stills, const DicomStackOptions& options, const ReadLimits& limits,
+Result<void> addStill(const fs::path& file, const Stills& stills, const DicomStackOptions& options, const ReaderLimits& limits,
                       StackVolume& made, std::uint64_t& colouredPixels, const Progress& progress) {
   const auto dicom = readDicomFile(file, limits.maxBytes, progress);
   if (!dicom) return passOn(dicom.error());
@@ -233,13 +233,13 @@ std::vector<fs::path> dicomFilesIn(const fs::path& folder) {
 }
 
 Result<StackVolume> readDicomStack(const fs::path& folder, const DicomStackOptions& options, Progress& progress,
-                                   const ReadLimits& limits) try {
+                                   const ReaderLimits& limits) try {
   auto stills = lookThrough(folder, progress, limits);
   if (!stills) return passOn(stills.error());
   if (auto one = checkOneVolume(*stills, folder); !one) return passOn(one.error());
   if (stills->burnedIn && options.blank.empty() && !options.keepText)
     return failure(ErrorCode::unsupported,
-                   say<"The pictures of %1 have text burned in, which may name the patient; name the rectangles to make black, or say that "
+                   say<"The images of %1 have text burned in, which may name the patient; name the rectangles to make black, or say that "
                        "the text may stay.">(quoted(folder)),
                    {{"file", folder.string()}, {"ask", "blank"}});
   StackVolume made;
@@ -256,7 +256,7 @@ Result<StackVolume> readDicomStack(const fs::path& folder, const DicomStackOptio
   if (!broken.empty()) made.notes.push_back(say<"Left out of %1, because they hold no DICOM data: %2.">(quoted(folder), namesOf(broken)));
   if (stack->grid.voxelCount() > limits.maxBytes)
     return failure(ErrorCode::tooLarge,
-                   say<"The pictures would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.">(
+                   say<"The images would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.">(
                        stack->grid.voxelCount(), limits.maxBytes),
                    {{"file", folder.string()}});
   made.removed = stills->removed;
@@ -265,7 +265,7 @@ Result<StackVolume> readDicomStack(const fs::path& folder, const DicomStackOptio
     if (progress.cancelRequested()) return stopped(folder);
     const fs::path& file = stills->files[stills->planes[n].frame];
     if (auto added = addStill(file, *stills, options, limits, made, colouredPixels, progress); !added) return passOn(added.error());
-    progress.report(say<"Reading pictures">(), 0.5 + 0.5 * static_cast<double>(n + 1) / static_cast<double>(stills->planes.size()));
+    progress.report(say<"Reading images">(), 0.5 + 0.5 * static_cast<double>(n + 1) / static_cast<double>(stills->planes.size()));
   }
   made.removed.blanked = options.blank;
   if (auto settled = settleStackColours(colouredPixels, made.volume.echo.size(), options.colour, folder, made.notes); !settled)
@@ -279,21 +279,21 @@ Result<StackVolume> readDicomStack(const fs::path& folder, const DicomStackOptio
         stills->lowest, stills->highest));
   made.notes.push_back(say<"%1 DICOM stills were joined by their positions, which became the volume's place, in mm to the patient's left, "
                            "posterior and superior.">(stills->planes.size()));
-  if (!stills->burnedIn) made.notes.push_back(say<"Pictures may have text burned in; check that they name nobody.">());
+  if (!stills->burnedIn) made.notes.push_back(say<"Images may have text burned in; check that they name nobody.">());
   return made;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, say<"There is not enough memory for the pictures of %1; close other programs.">(quoted(folder)),
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for the images of %1; close other programs.">(quoted(folder)),
                  {{"file", folder.string()}});
 }
 
-Result<DicomStackPicture> readFirstOfDicomStack(const fs::path& folder, Progress& progress, const ReadLimits& limits) {
+Result<DicomStackImage> readFirstOfDicomStack(const fs::path& folder, Progress& progress, const ReaderLimits& limits) {
   DicomStackOptions all;
   all.colour = ColourRule::keepGrey;
   all.keepText = true;
   all.acceptsSmall = true;
   auto whole = readDicomStack(folder, all, progress, limits);
   if (!whole) return passOn(whole.error());
-  DicomStackPicture first;
+  DicomStackImage first;
   const Grid& grid = whole->volume.grid;
   first.level = GreyImage(grid.dims.x, grid.dims.y);
   std::copy_n(whole->volume.echo.begin(), first.level.pixels.size(), first.level.pixels.begin());

@@ -99,14 +99,13 @@ struct Opened {
   std::vector<Message> notes;
 };
 
-Result<Opened> openPlanes(const fs::path& file, const DicomVolumeOptions& options, const ReadLimits& limits) {
+Result<Opened> openPlanes(const fs::path& file, const DicomVolumeOptions& options, const ReaderLimits& limits) {
   auto dicom = readDicomFile(file, limits.maxBytes);
   if (!dicom) return passOn(dicom.error());
   if (dicom->data.text(0x00080016u) != kEnhancedUsVolume)
-    return failure(
-        ErrorCode::unsupported,
-        say<"%1 is no Enhanced US Volume: its pictures have no places in space; import it as a sequence of pictures.">(quoted(file)),
-        {{"file", file.string()}});
+    return failure(ErrorCode::unsupported,
+                   say<"%1 is no Enhanced US Volume: its images have no places in space; import it as a sequence of images.">(quoted(file)),
+                   {{"file", file.string()}});
   const auto layout = pixelLayoutOf(*dicom, limits);
   if (!layout) return passOn(layout.error());
   auto planes = volumePlanesOf(*dicom, *layout);
@@ -143,7 +142,7 @@ Result<Opened> openPlanes(const fs::path& file, const DicomVolumeOptions& option
 }  // namespace
 
 Result<DicomVolume> readDicomVolume(const fs::path& file, const DicomVolumeOptions& options, Progress& progress,
-                                    const ReadLimits& limits) try {
+                                    const ReaderLimits& limits) try {
   auto opened = openPlanes(file, options, limits);
   if (!opened) return passOn(opened.error());
   const auto stack =
@@ -167,7 +166,7 @@ Result<DicomVolume> readDicomVolume(const fs::path& file, const DicomVolumeOptio
                  {{"file", file.string()}});
 }
 
-Result<Cine> readDicomPlanes(const fs::path& file, const DicomVolumeOptions& options, Progress& progress, const ReadLimits& limits) try {
+Result<Cine> readDicomPlanes(const fs::path& file, const DicomVolumeOptions& options, Progress& progress, const ReaderLimits& limits) try {
   auto opened = openPlanes(file, options, limits);
   if (!opened) return passOn(opened.error());
   std::vector<std::uint64_t> frames;

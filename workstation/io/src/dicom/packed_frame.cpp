@@ -27,9 +27,9 @@ std::uint64_t big16(Bytes bytes, std::size_t at) { return static_cast<std::uint6
 std::uint64_t big32(Bytes bytes, std::size_t at) { return big16(bytes, at) << 16 | big16(bytes, at + 2); }
 
 /// Markers of a JPEG or JPEG-LS stream up to the first scan.
-std::optional<PackedHead> jpegHead(Bytes stream, bool lossless_ls) {
+std::optional<CodecHeader> jpegHead(Bytes stream, bool lossless_ls) {
   if (stream.size() < 4 || stream[0] != 0xFF || stream[1] != 0xD8) return std::nullopt;
-  PackedHead head;
+  CodecHeader head;
   bool framed = false;
   for (std::size_t at = 2; at + 4 <= stream.size();) {
     if (stream[at] != 0xFF) return std::nullopt;
@@ -73,7 +73,7 @@ std::optional<PackedHead> jpegHead(Bytes stream, bool lossless_ls) {
   return head;
 }
 
-std::optional<PackedHead> jpeg2000Head(Bytes stream) {
+std::optional<CodecHeader> jpeg2000Head(Bytes stream) {
   // Files with boxes around the stream occur although DICOM asks for the bare stream.
   static constexpr std::array<std::uint8_t, 4> start{0xFF, 0x4F, 0xFF, 0x51};
   const auto found = std::search(stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(stream.size(), 4096)),
@@ -83,7 +83,7 @@ std::optional<PackedHead> jpeg2000Head(Bytes stream) {
   const Bytes siz = stream.subspan(at + 4);
   const auto right = big32(siz, 4), bottom = big32(siz, 8), left = big32(siz, 12), top = big32(siz, 16);
   const auto tileWidth = big32(siz, 20), tileHeight = big32(siz, 24);
-  PackedHead head;
+  CodecHeader head;
   head.components = static_cast<int>(big16(siz, 36));
   if (right <= left || bottom <= top || tileWidth == 0 || tileHeight == 0) return std::nullopt;
   head.width = right - left;
@@ -103,7 +103,7 @@ std::optional<PackedHead> jpeg2000Head(Bytes stream) {
 }
 
 template <class Decoder>
-std::optional<std::vector<std::uint8_t>> decoded(Decoder& decoder, Bytes stream, const PackedHead& head, int bitsAllocated, int bitsStored,
+std::optional<std::vector<std::uint8_t>> decoded(Decoder& decoder, Bytes stream, const CodecHeader& head, int bitsAllocated, int bitsStored,
                                                  bool isSigned) {
   const auto bits = static_cast<unsigned short>(bitsStored);
   const std::array<unsigned, 3> dims{static_cast<unsigned>(head.width), static_cast<unsigned>(head.height), 1};
@@ -139,15 +139,15 @@ constexpr auto kMostWaiting = std::chrono::minutes(2);  // a busy machine takes 
 constexpr auto kQuestion = std::chrono::milliseconds(2);
 
 /// Pages that this process and its copy both see: a word that says that the bytes behind it are complete.
-class SharedResult {
+class ResultPages {
  public:
-  explicit SharedResult(std::size_t bytes)
+  explicit ResultPages(std::size_t bytes)
       : bytes_(bytes), pages_(mmap(nullptr, kHead + bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
-  ~SharedResult() {
+  ~ResultPages() {
     if (ok()) munmap(pages_, kHead + bytes_);
   }
-  SharedResult(const SharedResult&) = delete;
-  SharedResult& operator=(const SharedResult&) = delete;
+  ResultPages(const ResultPages&) = delete;
+  ResultPages& operator=(const ResultPages&) = delete;
   [[nodiscard]] bool ok() const { return pages_ != MAP_FAILED; }
   void set(Bytes bytes) {
     std::memcpy(static_cast<std::uint8_t*>(pages_) + kHead, bytes.data(), bytes_);
@@ -168,7 +168,7 @@ class SharedResult {
 
 /// The copy's own part: works, says nothing, leaves no core file and never returns.
 template <class Work>
-[[noreturn]] void workAndEnd(std::size_t wanted, const Work& work, SharedResult& result) {
+[[noreturn]] void workAndEnd(std::size_t wanted, const Work& work, ResultPages& result) {
   for (const int one : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGTERM}) signal(one, SIG_DFL);
   // A terminal sends Ctrl-C to both: this one goes on, and the program that waits for it decides.
   for (const int one : {SIGINT, SIGQUIT}) signal(one, SIG_IGN);
@@ -217,7 +217,7 @@ bool ended(pid_t copy, const Progress& progress) {
 /// @return empty when the work gave nothing, did not give `wanted` bytes, ended the copy, took too long or was stopped
 template <class Work>
 std::optional<std::vector<std::uint8_t>> inOwnProcess(std::size_t wanted, const Progress& progress, const Work& work) {
-  SharedResult result(wanted);
+  ResultPages result(wanted);
   if (!result.ok()) return std::nullopt;
   const pid_t copy = fork();
   if (copy == 0) workAndEnd(wanted, work, result);
@@ -227,7 +227,7 @@ std::optional<std::vector<std::uint8_t>> inOwnProcess(std::size_t wanted, const 
 
 }  // namespace
 
-std::optional<PackedHead> packedHead(Codec codec, Bytes stream) {
+std::optional<CodecHeader> packedHead(Codec codec, Bytes stream) {
   switch (codec) {
     case Codec::jpeg:
       return jpegHead(stream, false);
@@ -239,7 +239,7 @@ std::optional<PackedHead> packedHead(Codec codec, Bytes stream) {
   return std::nullopt;
 }
 
-std::optional<std::vector<std::uint8_t>> unpack(Codec codec, Bytes stream, const PackedHead& head, int bitsAllocated, int bitsStored,
+std::optional<std::vector<std::uint8_t>> unpack(Codec codec, Bytes stream, const CodecHeader& head, int bitsAllocated, int bitsStored,
                                                 bool isSigned, const Progress& progress) {
   const std::size_t wanted = head.width * head.height * static_cast<std::size_t>(head.components) * (bitsAllocated > 8 ? 2 : 1);
   return inOwnProcess(wanted, progress, [&]() -> std::optional<std::vector<std::uint8_t>> {

@@ -10,8 +10,8 @@
 
 namespace ew::detail {
 
-/// What a packed picture says about itself, before a codec sees it.
-struct PackedHead {
+/// What a packed image says about itself, before a codec sees it.
+struct CodecHeader {
   std::uint64_t width = 0;
   std::uint64_t height = 0;
   int components = 0;
@@ -24,12 +24,12 @@ struct PackedHead {
 enum class Codec { jpeg, jpegLs, jpeg2000 };
 
 /// Head of a JPEG, JPEG-LS or JPEG 2000 stream; empty when it is none that can be trusted to a decoder.
-[[nodiscard]] std::optional<PackedHead> packedHead(Codec codec, Bytes stream);
+[[nodiscard]] std::optional<CodecHeader> packedHead(Codec codec, Bytes stream);
 
 /// Decoded samples in a process of its own, component after component of a pixel (or by planes, as head.byPlanes), each of `bits` in 1 or 2
-/// bytes of the machine's order. Empty when the decoder refuses, takes longer than any picture needs, or when `progress` asks to stop: look
+/// bytes of the machine's order. Empty when the decoder refuses, takes longer than any image needs, or when `progress` asks to stop: look
 /// there first. The stream's own size must be what `head` says.
-[[nodiscard]] std::optional<std::vector<std::uint8_t>> unpack(Codec codec, Bytes stream, const PackedHead& head, int bitsAllocated,
+[[nodiscard]] std::optional<std::vector<std::uint8_t>> unpack(Codec codec, Bytes stream, const CodecHeader& head, int bitsAllocated,
                                                               int bitsStored, bool isSigned, const Progress& progress);
 
 /// RLE of DICOM (PS3.5 annex G): `segments` byte planes of `planeSize` bytes each; empty when damaged.

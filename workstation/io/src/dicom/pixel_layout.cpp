@@ -31,11 +31,11 @@ std::uint64_t fullBytesPerFrame(const PixelLayout& layout) {
   return layout.pixelsPerFrame() * static_cast<std::uint64_t>(layout.samples) * static_cast<std::uint64_t>(layout.bitsAllocated / 8);
 }
 
-/// Packed pictures that the fragments of pixels hold.
-std::uint64_t packedPictures(const PixelLayout& layout, const DicomElement& pixels) {
+/// Packed images that the fragments of pixels hold.
+std::uint64_t packedImages(const PixelLayout& layout, const DicomElement& pixels) {
   if (pixels.fragments.empty()) return 0;
   return static_cast<std::uint64_t>(
-      std::count_if(pixels.fragments.begin() + 1, pixels.fragments.end(), [&](Bytes fragment) { return layout.beginsPicture(fragment); }));
+      std::count_if(pixels.fragments.begin() + 1, pixels.fragments.end(), [&](Bytes fragment) { return layout.beginsImage(fragment); }));
 }
 
 bool isEmpty(const DicomItem& data, DicomTag tag) {
@@ -71,7 +71,7 @@ Result<void> readNumbers(const DicomFile& dicom, PixelLayout& layout) {
   if (!columns) return passOn(columns.error());
   const auto frames = numberOf(dicom, 0x00280008u, "Number of Frames", 0, 1u << 24, 1, notes);
   if (!frames) return passOn(frames.error());
-  if (*frames == 0) notes.push_back(say<"The file says that it has 0 frames; it was read as one picture.">());
+  if (*frames == 0) notes.push_back(say<"The file says that it has 0 frames; it was read as one image.">());
   const auto samples = numberOf(dicom, 0x00280002u, "Samples per Pixel", 1, 3, 1, notes);
   if (!samples) return passOn(samples.error());
   const auto allocated = numberOf(dicom, 0x00280100u, "Bits Allocated", 1, 64, std::nullopt, notes);
@@ -117,7 +117,7 @@ Result<void> readColours(const DicomFile& dicom, PixelLayout& layout) {
   return {};
 }
 
-Result<void> checkMemory(const DicomFile& dicom, const PixelLayout& layout, const ReadLimits& limits) {
+Result<void> checkMemory(const DicomFile& dicom, const PixelLayout& layout, const ReaderLimits& limits) {
   // Level, colour mask, and while they are mapped the stored values of one frame.
   const std::uint64_t needed = layout.pixelsPerFrame() * layout.frames * 2;
   if (needed > limits.maxBytes || layout.pixelsPerFrame() > (1ull << 28))
@@ -130,7 +130,7 @@ Result<void> checkMemory(const DicomFile& dicom, const PixelLayout& layout, cons
 }
 
 /// How far the two colour differences are from none (128) if the pixels were stored thinned, or in full, in the mean of the first frame:
-/// pictures of ultrasound are mostly grey.
+/// images of ultrasound are mostly grey.
 double colourIf(bool thinned, const DicomElement& pixels, const PixelLayout& layout) {
   const std::size_t count = layout.pixelsPerFrame();
   std::uint64_t sum = 0, looked = 0;
@@ -165,12 +165,12 @@ void settleThinning(const DicomElement& pixels, PixelLayout& layout) {
   }
 }
 
-/// Pictures there are, where the file does not say how many: a number that is missing, empty or 0 means one by the standard, but what is
+/// Images there are, where the file does not say how many: a number that is missing, empty or 0 means one by the standard, but what is
 /// stored is not dropped for that.
 void settleFrames(const DicomFile& dicom, const DicomElement& pixels, PixelLayout& layout) {
   const std::uint64_t perFrame = layout.storedBytesPerFrame();
   const bool packed = layout.codec != "uncompressed";
-  const std::uint64_t there = packed ? packedPictures(layout, pixels) : pixels.value.size() / perFrame;
+  const std::uint64_t there = packed ? packedImages(layout, pixels) : pixels.value.size() / perFrame;
   const bool stated = dicom.data.count(0x00280008u).value_or(0) > 0;
   const bool whole = packed ? layout.codec != "RLE" : pixels.value.size() - there * perFrame <= 1;
   if (!stated && there > 1 && whole && there < (1u << 24)) {
@@ -180,8 +180,8 @@ void settleFrames(const DicomFile& dicom, const DicomElement& pixels, PixelLayou
   }
   if (packed) {
     if (there > layout.frames && layout.codec != "RLE")
-      layout.notes.push_back(counted<"The file says that it has %1 frame, but %2 pictures are stored in it; those beyond were not read.",
-                                     "The file says that it has %1 frames, but %2 pictures are stored in it; those beyond were not read.">(
+      layout.notes.push_back(counted<"The file says that it has %1 frame, but %2 images are stored in it; those beyond were not read.",
+                                     "The file says that it has %1 frames, but %2 images are stored in it; those beyond were not read.">(
           layout.frames, there));
     return;
   }
@@ -209,8 +209,8 @@ Result<void> checkStored(const DicomFile& dicom, const DicomElement& pixels, con
   if (encapsulated != !pixels.fragments.empty())
     return failure(ErrorCode::badHeader,
                    encapsulated
-                       ? say<"%1 says its pictures are %2, but they are not stored so; export it again.">(quoted(dicom.file), layout.codec)
-                       : say<"%1 says its pictures are uncompressed, but they are not stored so; export it again.">(quoted(dicom.file)),
+                       ? say<"%1 says its images are %2, but they are not stored so; export it again.">(quoted(dicom.file), layout.codec)
+                       : say<"%1 says its images are uncompressed, but they are not stored so; export it again.">(quoted(dicom.file)),
                    {{"file", dicom.file.string()}});
   if (!encapsulated) {
     const std::uint64_t promised = layout.storedBytesPerFrame() * layout.frames;
@@ -232,22 +232,22 @@ Result<void> checkStored(const DicomFile& dicom, const DicomElement& pixels, con
 
 std::uint64_t PixelLayout::storedBytesPerFrame() const { return thinned ? thinnedBytesPerFrame(*this) : fullBytesPerFrame(*this); }
 
-bool PixelLayout::beginsPicture(Bytes fragment) const {
+bool PixelLayout::beginsImage(Bytes fragment) const {
   if (codec == "RLE") return true;
   return fragment.size() > 2 && fragment[0] == 0xFF && (fragment[1] == 0xD8 || fragment[1] == 0x4F);
 }
 
-Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limits) {
+Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReaderLimits& limits) {
   const DicomElement* const pixels = dicom.data.find(kPixelDataTag);
   if (pixels == nullptr)
     return failure(ErrorCode::unsupported,
-                   say<"%1 is a DICOM file without pictures; choose the file that holds the pictures.">(quoted(dicom.file)),
+                   say<"%1 is a DICOM file without images; choose the file that holds the images.">(quoted(dicom.file)),
                    {{"file", dicom.file.string()}});
   PixelLayout layout;
   const auto known = std::find_if(kSyntaxes.begin(), kSyntaxes.end(), [&](const Syntax& one) { return dicom.transferSyntax == one.uid; });
   if (known == kSyntaxes.end())
     return failure(ErrorCode::unsupported,
-                   say<"The pictures of %1 are packed in a way that is not read (transfer syntax %2); export them uncompressed, as JPEG, "
+                   say<"The images of %1 are packed in a way that is not read (transfer syntax %2); export them uncompressed, as JPEG, "
                        "JPEG-LS, JPEG 2000 or RLE.">(quoted(dicom.file), dicom.transferSyntax.substr(0, 64)),
                    {{"file", dicom.file.string()}, {"transferSyntax", dicom.transferSyntax.substr(0, 64)}});
   layout.codec = known->name;

@@ -29,11 +29,11 @@ struct PixelLayout {
 
   [[nodiscard]] std::uint64_t pixelsPerFrame() const { return rows * columns; }
   [[nodiscard]] std::uint64_t storedBytesPerFrame() const;  ///< uncompressed
-  [[nodiscard]] bool beginsPicture(Bytes fragment) const;   ///< packed: whether this fragment does
+  [[nodiscard]] bool beginsImage(Bytes fragment) const;     ///< packed: whether this fragment does
   [[nodiscard]] bool inColour() const { return samples == 3 || photometric == "PALETTE COLOR"; }
 };
 
 /// @error badField, unsupported (no pixels, a codec or a colour model that is not read), tooLarge, truncated
-[[nodiscard]] Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReadLimits& limits);
+[[nodiscard]] Result<PixelLayout> pixelLayoutOf(const DicomFile& dicom, const ReaderLimits& limits);
 
 }  // namespace ew::detail

@@ -10,11 +10,11 @@
 namespace ew::detail {
 namespace fs = std::filesystem;
 
-Result<PlaneStack> stackOf(std::vector<VolumePlane>& planes, int columns, int rows, const fs::path& file, const ReadLimits& limits,
+Result<PlaneStack> stackOf(std::vector<VolumePlane>& planes, int columns, int rows, const fs::path& file, const ReaderLimits& limits,
                            std::vector<Message>& notes) {
   const VolumePlane first = planes.front();
   if (planes.size() < 2)
-    return failure(ErrorCode::emptyVolume, say<"%1 holds a single plane, not a volume; import it as a picture.">(quoted(file)),
+    return failure(ErrorCode::emptyVolume, say<"%1 holds a single plane, not a volume; import it as an image.">(quoted(file)),
                    {{"file", file.string()}});
   const glm::dvec3 right = glm::normalize(first.across_mm), down = glm::normalize(first.down_mm), normal = glm::cross(right, down);
   for (const VolumePlane& plane : planes)

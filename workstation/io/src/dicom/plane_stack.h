@@ -23,7 +23,7 @@ struct PlaneStack {
 /// in
 ///        one place), tooLarge
 [[nodiscard]] Result<PlaneStack> stackOf(std::vector<VolumePlane>& planes, int columns, int rows, const std::filesystem::path& file,
-                                         const ReadLimits& limits, std::vector<Message>& notes);
+                                         const ReaderLimits& limits, std::vector<Message>& notes);
 
 /// The levels of sorted planes on the stack's grid, linearly between the two next ones. @error cancelled
 [[nodiscard]] Result<std::vector<std::uint8_t>> echoOnto(const PlaneStack& stack, std::vector<std::uint8_t> planes,

@@ -219,9 +219,9 @@ class TextSource final : public ByteSource {
 };
 
 /// Passes the inflated bytes on and turns a stream cut off before its checksum into an error.
-class CheckedEnd final : public ByteSource {
+class ChecksumSource final : public ByteSource {
  public:
-  CheckedEnd(fs::path file, std::unique_ptr<InflateSource> inflated) : file_(std::move(file)), inflated_(std::move(inflated)) {}
+  ChecksumSource(fs::path file, std::unique_ptr<InflateSource> inflated) : file_(std::move(file)), inflated_(std::move(inflated)) {}
   Result<std::size_t> read(std::span<std::uint8_t> into) override {
     auto got = inflated_->read(into);
     if (!got) return got;
@@ -258,7 +258,7 @@ Result<void> checkAgainstFile(const ImageHeader& header, std::uint64_t promisedB
       {{"file", header.dataFile.string()}, {"promised", std::to_string(promisedBytes)}, {"found", std::to_string(packedBytes)}});
 }
 
-Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promisedBytes, const Progress& progress) {
+Result<ByteStream> openSamples(const ImageHeader& header, std::uint64_t promisedBytes, const Progress& progress) {
   std::error_code problem;
   const std::uint64_t fileBytes = fs::file_size(header.dataFile, problem);
   if (problem)
@@ -284,7 +284,7 @@ Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promise
         say<"%1 is too short: its header promises %2 compressed bytes, the file has %3; get the file again.">(
             quoted(header.dataFile), *header.packedBytes, available),
         {{"file", header.dataFile.string()}, {"promised", std::to_string(*header.packedBytes)}, {"found", std::to_string(available)}});
-  OpenedBytes opened;
+  ByteStream opened;
   opened.packedBytes = header.packedBytes ? *header.packedBytes : available;
   if (opened.packedBytes == 0 && promisedBytes > 0)
     return failure(ErrorCode::truncated,
@@ -305,7 +305,7 @@ Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promise
       auto inflated = std::make_unique<InflateSource>(header.dataFile, std::move(file));
       if (!inflated->ok())
         return failure(ErrorCode::internal, say<"The decompressor could not be started; free some memory and try again.">());
-      opened.source = std::make_unique<CheckedEnd>(header.dataFile, std::move(inflated));
+      opened.source = std::make_unique<ChecksumSource>(header.dataFile, std::move(inflated));
       break;
     }
   }

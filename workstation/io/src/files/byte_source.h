@@ -19,7 +19,7 @@ class ByteSource {
   [[nodiscard]] virtual Result<std::size_t> read(std::span<std::uint8_t> into) = 0;
 };
 
-struct OpenedBytes {
+struct ByteStream {
   std::unique_ptr<ByteSource> source;
   std::uint64_t packedBytes = 0;  ///< bytes of the file the samples are unpacked from
 };
@@ -27,7 +27,7 @@ struct OpenedBytes {
 /// Goes to the first sample; what lies before it in a packed stream is unpacked for that, as long as `progress` does not ask to stop.
 /// @param promisedBytes sample bytes the header promises; needed for samples that stand at the end of their file
 /// @error notReadable, truncated (too few bytes for what the header promises, as far as their number tells), unsupported, cancelled
-[[nodiscard]] Result<OpenedBytes> openSamples(const ImageHeader& header, std::uint64_t promisedBytes, const Progress& progress);
+[[nodiscard]] Result<ByteStream> openSamples(const ImageHeader& header, std::uint64_t promisedBytes, const Progress& progress);
 
 /// Refuses before memory is taken what so few bytes cannot hold.
 /// @param promisedSamples numbers, for samples written as text

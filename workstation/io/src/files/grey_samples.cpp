@@ -24,7 +24,7 @@ struct GreyNotes {
   std::vector<Message>& warnings;
 };
 
-Result<void> checkSizes(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits) {
+Result<void> checkSizes(const ImageHeader& header, const SampleRequest& request, const ReaderLimits& limits) {
   const std::uint64_t perPixel = header.channels * bytesOf(header.type);
   const std::array<std::uint64_t, 3> factors{request.promised, header.channels, bytesOf(header.type)};
   const auto promised = productOf(factors);
@@ -219,7 +219,7 @@ Result<void> convert(const ImageHeader& header, const std::vector<std::uint8_t>&
   return failure(ErrorCode::unsupported, say<"%1 has samples of no known type; export it as 8 bit samples.">(quoted(header.file)));
 }
 
-Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
+Result<std::vector<std::uint8_t>> readGreyOrThrow(const ImageHeader& header, const SampleRequest& request, const ReaderLimits& limits,
                                                   Progress& progress, GreyNotes& told) {
   std::vector<Message>& notes = told.notes;
   const bool woven = header.wantedChannel.has_value();
@@ -269,7 +269,7 @@ tl::unexpected<Error> stopped(const std::filesystem::path& file) {
                  {{"file", file.string()}});
 }
 
-Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
+Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReaderLimits& limits,
                                            Progress& progress, std::vector<Message>& notes, std::vector<Message>* warnings) {
   try {
     std::vector<Message> unasked;

@@ -21,8 +21,8 @@ struct SampleRequest {
 /// 0..255. What was decided is appended to `notes`, and what makes the result doubtful (samples that look like RF or IQ) to `warnings`,
 /// too. Sizes are checked against the limits and the file before memory is taken.
 /// @error truncated, tooLarge, badHeader (more samples than promised), notReadable, badField, unsupported (channels), cancelled
-[[nodiscard]] Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request, const ReadLimits& limits,
-                                                         Progress& progress, std::vector<Message>& notes,
+[[nodiscard]] Result<std::vector<std::uint8_t>> readGrey(const ImageHeader& header, const SampleRequest& request,
+                                                         const ReaderLimits& limits, Progress& progress, std::vector<Message>& notes,
                                                          std::vector<Message>* warnings = nullptr);
 
 /// Says in one sentence that the user stopped the reading or writing of `file`.

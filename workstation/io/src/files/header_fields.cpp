@@ -28,7 +28,7 @@ Message unusedBecause(FieldTouches touches, const Message& who, const Message& f
     case FieldTouches::time:
       return say<"%1 also states %2, which touches the times and is not used.">(who, fields);
     case FieldTouches::count:
-      return say<"%1 also states %2, which touches how many pictures there are and is not used.">(who, fields);
+      return say<"%1 also states %2, which touches how many images there are and is not used.">(who, fields);
     case FieldTouches::nobodyKnows:
       return say<"%1 also states %2, which is not known here and not used.">(who, fields);
     case FieldTouches::nothing:
@@ -82,7 +82,7 @@ std::optional<std::string> HeaderFields::stated(std::string_view name) const {
 void HeaderFields::use(std::string_view name) { static_cast<void>(take(name)); }
 
 FieldTouches HeaderFields::touchedBy(std::string_view name) const {
-  const auto known = std::find_if(table_.begin(), table_.end(), [&](const KnownField& each) { return each.name == name; });
+  const auto known = std::find_if(table_.begin(), table_.end(), [&](const FieldTableRow& each) { return each.name == name; });
   return known == table_.end() ? unknown_ : known->touches;
 }
 
@@ -109,7 +109,7 @@ std::vector<Message> HeaderFields::unused() const {
   return notes;
 }
 
-StatedNumbers statedNumbers(const std::optional<std::string>& found, std::size_t count, NumbersKind kind) {
+FieldNumbers statedNumbers(const std::optional<std::string>& found, std::size_t count, NumbersKind kind) {
   if (!found) return {.state = FieldState::absent};
   if (trimmed(*found).empty()) return {.state = FieldState::notSet};
   auto numbers = parseNumbers(*found);

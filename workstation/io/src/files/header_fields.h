@@ -18,7 +18,7 @@ enum class FieldTouches { geometry, levels, time, count, nobodyKnows, nothing };
 enum class FieldsOf { header, deviceSet };
 
 /// One line of a format's table of fields.
-struct KnownField {
+struct FieldTableRow {
   std::string_view name;
   FieldTouches touches = FieldTouches::nothing;
 };
@@ -30,7 +30,7 @@ class HeaderFields {
  public:
   /// @param table   of the format; it must outlive this
   /// @param unknown what a field touches that the table does not have
-  explicit HeaderFields(std::span<const KnownField> table, FieldTouches unknown = FieldTouches::nothing, FieldsOf of = FieldsOf::header)
+  explicit HeaderFields(std::span<const FieldTableRow> table, FieldTouches unknown = FieldTouches::nothing, FieldsOf of = FieldsOf::header)
       : table_(table), unknown_(unknown), of_(of) {}
 
   /// The header states `name`. A value of blanks states nothing.
@@ -53,7 +53,7 @@ class HeaderFields {
   };
   [[nodiscard]] FieldTouches touchedBy(std::string_view name) const;
 
-  std::span<const KnownField> table_;
+  std::span<const FieldTableRow> table_;
   FieldTouches unknown_;
   FieldsOf of_;
   std::vector<Stated> stated_;
@@ -72,13 +72,13 @@ enum class NumbersKind {
   reach,      ///< above 0; else not set
 };
 
-struct StatedNumbers {
+struct FieldNumbers {
   FieldState state = FieldState::absent;
   std::vector<double> values = {};  ///< where the state is value
 };
 /// The one answer to whether a field of numbers is there, set, usable.
 /// @param found nothing: there is no such field
 /// @param count of numbers that belong there
-[[nodiscard]] StatedNumbers statedNumbers(const std::optional<std::string>& found, std::size_t count, NumbersKind kind);
+[[nodiscard]] FieldNumbers statedNumbers(const std::optional<std::string>& found, std::size_t count, NumbersKind kind);
 
 }  // namespace ew::detail

@@ -5,15 +5,15 @@
 #include <fstream>
 
 #include "files/image_header.h"
-#include "files/staged_file.h"
+#include "files/staging_file.h"
 
 namespace ew {
 namespace fs = std::filesystem;
 namespace detail {
 
-Result<StagedFile> StagedFile::create(const fs::path& target) {
+Result<StagingFile> StagingFile::create(const fs::path& target) {
   if (target.empty()) return notWritable(target, say<"it names no file">());
-  StagedFile staged;
+  StagingFile staged;
   staged.target_ = target;
   if (auto announced = staged.outputs_.announce(target); !announced) return passOn(announced.error());
   staged.aside_ = staged.outputs_.staged(target);
@@ -32,14 +32,14 @@ Result<void> finishStream(std::ofstream& out, const fs::path& target) {
   return errno != 0 ? notWritable(target, errno) : notWritable(target, say<"the medium is full or gone">());
 }
 
-Result<void> StagedFile::finish() { return finishStream(out_, target_); }
+Result<void> StagingFile::finish() { return finishStream(out_, target_); }
 
-Result<void> StagedFile::commit() { return outputs_.commit(); }
+Result<void> StagingFile::commit() { return outputs_.commit(); }
 
 }  // namespace detail
 
 Result<void> writeFileSafely(const fs::path& file, const std::function<Result<void>(std::ostream&)>& write) {
-  auto staged = detail::StagedFile::create(file);
+  auto staged = detail::StagingFile::create(file);
   if (!staged) return passOn(staged.error());
   try {
     if (auto written = write(staged->stream()); !written) return written;

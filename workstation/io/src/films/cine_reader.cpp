@@ -13,7 +13,7 @@
 
 #include "dicom/dicom_fields.h"
 #include "dicom/dicom_pixels.h"
-#include "dicom/stack_picture.h"
+#include "dicom/stack_image.h"
 #include "ew/core/numbers.h"
 #include "ew/io/dicom.h"
 #include "ew/io/dicom_stack.h"
@@ -30,7 +30,7 @@ CineReader::Source::~Source() = default;
 namespace {
 using namespace detail;
 namespace fs = std::filesystem;
-using OpenedSource = Result<std::unique_ptr<CineReader::Source>>;
+using SourceResult = Result<std::unique_ptr<CineReader::Source>>;
 
 /// Of a recording that breaks off.
 Message framesBefore(std::uint64_t count) {
@@ -196,7 +196,7 @@ FilmStream streamOfDicom(const std::string& transferSyntax, std::span<const std:
 }
 
 /// What a data set says of the size and shape of its pixels, as an import takes it: of all calibrated B-mode regions, else by Pixel
-/// Spacing, else the shape alone. Parts of different shapes leave the pictures as they are.
+/// Spacing, else the shape alone. Parts of different shapes leave the images as they are.
 void takeScale(const DicomItem& data, CineInfo& info) {
   const DicomScale scale =
       scaleOf(data, static_cast<std::uint64_t>(std::max(info.width_px, 1)), static_cast<std::uint64_t>(std::max(info.height_px, 1)));
@@ -211,19 +211,18 @@ void takeScale(const DicomItem& data, CineInfo& info) {
       info.notes.push_back(say<"Region %1 was not used for the scale.">(region.describe(n + 1)));
   }
   if (anyStale && !scale.bModes.empty())
-    info.notes.push_back(say<"The other regions may have been made for another size of the pictures as well, so none was used.">());
+    info.notes.push_back(say<"The other regions may have been made for another size of the images as well, so none was used.">());
   for (const std::size_t n : scale.bModes) info.scales.push_back({scale.regions[n].rect, scale.regions[n].pixel_mm()});
   if (anyStale) info.scales.clear();  // made for another size, and so may be the others
   if (info.scales.empty() && scale.spacing_mm) info.scales.push_back({{0, 0, info.width_px, info.height_px}, *scale.spacing_mm});
   constexpr double kAlike = 1e-3;
-  const auto shapeOf = [](const StatedScale& part) { return part.pixel_mm.x / part.pixel_mm.y; };
-  const auto alike = [&](const StatedScale& part) { return std::abs(shapeOf(part) / shapeOf(info.scales.front()) - 1.0) < kAlike; };
+  const auto shapeOf = [](const PixelScale& part) { return part.pixel_mm.x / part.pixel_mm.y; };
+  const auto alike = [&](const PixelScale& part) { return std::abs(shapeOf(part) / shapeOf(info.scales.front()) - 1.0) < kAlike; };
   double shape = scale.heightByWidth ? 1.0 / *scale.heightByWidth : 1.0;
   if (!info.scales.empty()) {
     shape = shapeOf(info.scales.front());
     if (!std::all_of(info.scales.begin(), info.scales.end(), alike)) {
-      info.notes.push_back(
-          say<"The file has parts whose pixels differ in shape, so the pictures were left as they are; state the depth.">());
+      info.notes.push_back(say<"The file has parts whose pixels differ in shape, so the images were left as they are; state the depth.">());
       info.scales.clear();
       shape = 1.0;
     }
@@ -273,7 +272,7 @@ std::uint64_t framesByDataSet(const DicomItem& data, const DicomElement& pixels,
   return 0;
 }
 
-OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const ReadLimits& limits) {
+SourceResult openDicomFilm(const fs::path& file, const DicomFile& dicom, const ReaderLimits& limits) {
   const DicomElement* const pixels = dicom.data.find(0x7FE00010u);
   if (pixels == nullptr || pixels->fragments.size() < 2)
     return failure(ErrorCode::badHeader, say<"%1 says it holds a film, but has none; export it again.">(quoted(file)),
@@ -311,7 +310,7 @@ OpenedSource openDicomFilm(const fs::path& file, const DicomFile& dicom, const R
   return std::unique_ptr<CineReader::Source>(std::move(source));
 }
 
-OpenedSource openDicom(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+SourceResult openDicom(const fs::path& file, Progress& progress, const ReaderLimits& limits) {
   auto dicom = readDicomFile(file, limits.maxBytes, progress);
   if (!dicom) return passOn(dicom.error());
   if (isMpeg(dicom->transferSyntax)) return openDicomFilm(file, *dicom, limits);
@@ -353,7 +352,7 @@ struct SequenceSource final : CineReader::Source {
   Result<void> rewind() override { return {}; }
 };
 
-OpenedSource openSequence(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+SourceResult openSequence(const fs::path& file, Progress& progress, const ReaderLimits& limits) {
   auto sequence = readSequence(file, progress, limits);
   if (!sequence) return passOn(sequence.error());
   if (sequence->pixels.empty())
@@ -375,28 +374,28 @@ OpenedSource openSequence(const fs::path& file, Progress& progress, const ReadLi
   return std::unique_ptr<CineReader::Source>(std::move(source));
 }
 
-struct PicturesSource final : CineReader::Source {
+struct ImagesSource final : CineReader::Source {
   std::vector<fs::path> files;
   Result<bool> read(CineFrame& frame, const Progress& progress) override {
     if (given >= files.size()) return false;
-    auto picture = readStackPicture(files[given], progress);
-    if (!picture) {
-      if (picture.error().code == ErrorCode::cancelled || given == 0) return passOn(picture.error());
-      brokenOff = picture.error();
+    auto image = readStackImage(files[given], progress);
+    if (!image) {
+      if (image.error().code == ErrorCode::cancelled || given == 0) return passOn(image.error());
+      brokenOff = image.error();
       brokenOff->message = joined({brokenOff->message, framesBefore(given)});
       return false;
     }
-    if (picture->width != info.width_px || picture->height != info.height_px) {
+    if (image->width != info.width_px || image->height != info.height_px) {
       brokenOff = Error{
           ErrorCode::badField,
           say<"Frame %1 of %2 has another size than those before it; the %3 before it were read.">(given + 1, quoted(files[given]), given),
           {{"file", files[given].string()}}};
       return false;
     }
-    frame.level.width = picture->width;
-    frame.level.height = picture->height;
-    frame.level.pixels = std::move(picture->level);
-    frame.coloured = std::move(picture->coloured);
+    frame.level.width = image->width;
+    frame.level.height = image->height;
+    frame.level.pixels = std::move(image->level);
+    frame.coloured = std::move(image->coloured);
     frame.colour = {};
     if (std::find(frame.coloured.begin(), frame.coloured.end(), 1) == frame.coloured.end()) frame.coloured.clear();
     frame.time_s = static_cast<double>(given) / kUnknownRate_hz;
@@ -405,7 +404,7 @@ struct PicturesSource final : CineReader::Source {
   Result<void> rewind() override { return {}; }
 };
 
-OpenedSource openPictures(const fs::path& file) {
+SourceResult openImages(const fs::path& file) {
   auto files = stackFiles(file);
   if (!files && files.error().code == ErrorCode::unsupported && !dicomFilesIn(file).empty())
     return failure(ErrorCode::unsupported,
@@ -413,21 +412,21 @@ OpenedSource openPictures(const fs::path& file) {
                        "choose one of the files.">(quoted(file)),
                    {{"file", file.string()}});
   if (!files) return passOn(files.error());
-  auto source = std::make_unique<PicturesSource>();
+  auto source = std::make_unique<ImagesSource>();
   source->files = *std::move(files);
-  const auto first = readStackPicture(source->files.front(), noProgress());
+  const auto first = readStackImage(source->files.front(), noProgress());
   if (!first) return passOn(first.error());
   source->info.width_px = first->width;
   source->info.height_px = first->height;
-  source->info.kind = CineKind::pictures;
-  source->info.pixelAspect = pixelAspectOfPicture(source->files.front());
+  source->info.kind = CineKind::images;
+  source->info.pixelAspect = pixelAspectOfImage(source->files.front());
   source->info.frames = source->files.size();
   return std::unique_ptr<CineReader::Source>(std::move(source));
 }
 
-OpenedSource openAny(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+SourceResult openAny(const fs::path& file, Progress& progress, const ReaderLimits& limits) {
   std::error_code ec;
-  if (fs::is_directory(file, ec)) return openPictures(file);
+  if (fs::is_directory(file, ec)) return openImages(file);
   if (const auto there = checkIsFile(file); !there) return passOn(there.error());
   const auto beginning = beginningOf(file);
   // The free bytes before "DICM" may be those of another format.
@@ -437,9 +436,9 @@ OpenedSource openAny(const fs::path& file, Progress& progress, const ReadLimits&
   if (looksLikeDicom(Bytes(beginning).first(std::min<std::size_t>(beginning.size(), 256)))) return openDicom(file, progress, limits);
   const std::string ending = lowerCase(file.extension().string());
   if (ending == ".mha" || ending == ".mhd" || ending == ".nrrd" || ending == ".nhdr") return openSequence(file, progress, limits);
-  if (ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".pgm") return openPictures(file);
+  if (ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".pgm") return openImages(file);
   return failure(ErrorCode::unsupported,
-                 say<"%1 is no film, DICOM cine, TIFF, sequence or picture that is known, or its beginning is damaged.">(quoted(file)),
+                 say<"%1 is no film, DICOM cine, TIFF, sequence or image that is known, or its beginning is damaged.">(quoted(file)),
                  {{"file", file.string()}});
 }
 
@@ -450,43 +449,43 @@ void settleTimes(CineReader::Source& source) {
   if (source.statedRate_hz) {
     if (info.timesKnown)
       info.notes.push_back(
-          say<"The rate of the pictures was stated, %1 a second; the times in the file were not used.">(shown(*source.statedRate_hz)));
+          say<"The rate of the images was stated, %1 a second; the times in the file were not used.">(shown(*source.statedRate_hz)));
     info.rate_hz = *source.statedRate_hz;
     info.timesKnown = true;
     return;
   }
   if (info.timesKnown || info.frames == 1 || info.kind == CineKind::film || info.kind == CineKind::dicomFilm) return;
   info.assumedRate_hz = info.kind == CineKind::pages && info.rate_hz > 0.0 ? info.rate_hz : kUnknownRate_hz;
-  info.notes.push_back(say<"The file does not say when its pictures were recorded; %1 a second were assumed.">(shown(info.assumedRate_hz)));
+  info.notes.push_back(say<"The file does not say when its images were recorded; %1 a second were assumed.">(shown(info.assumedRate_hz)));
 }
 
-/// Says what becomes of the pictures, and makes ready for it.
-Result<void> prepare(CineReader::Source& source, const Orientation& asked, const fs::path& file, const ReadLimits& limits) {
+/// Says what becomes of the images, and makes ready for it.
+Result<void> prepare(CineReader::Source& source, const Orientation& asked, const fs::path& file, const ReaderLimits& limits) {
   const CineInfo& stored = source.info;
   source.shaper.emplace(stored, asked);
   source.shown = stored;
   source.shown.width_px = source.shaper->width_px();
   source.shown.height_px = source.shaper->height_px();
-  for (StatedScale& part : source.shown.scales)
+  for (PixelScale& part : source.shown.scales)
     part = {source.shaper->shaped(part.rect), glm::dvec2(std::min(part.pixel_mm.x, part.pixel_mm.y))};
   settleTimes(source);
   auto& notes = source.shown.notes;
   const auto pixels = static_cast<std::uint64_t>(source.shown.width_px) * static_cast<std::uint64_t>(source.shown.height_px);
   if (pixels > (1ull << 28) || pixels * 8 > limits.maxBytes)
     return failure(ErrorCode::tooLarge,
-                   say<"The pictures of %1 have %2 x %3 pixels, more than are read; record a smaller part of the screen.">(
+                   say<"The images of %1 have %2 x %3 pixels, more than are read; record a smaller part of the screen.">(
                        quoted(file), source.shown.width_px, source.shown.height_px),
                    {{"file", file.string()}});
   if (const Orientation& stated = stored.orientation; !stated.isUpright())
-    notes.push_back(!stated.mirrored ? say<"The file says how its pictures are seen upright: they were turned clockwise by %1 degrees.">(
-                                           stated.degrees())
+    notes.push_back(!stated.mirrored
+                        ? say<"The file says how its images are seen upright: they were turned clockwise by %1 degrees.">(stated.degrees())
                     : stated.quarterTurns == 0
-                        ? say<"The file says how its pictures are seen upright: they were mirrored, left to right.">()
-                        : say<"The file says how its pictures are seen upright: they were turned clockwise by %1 degrees, then mirrored.">(
+                        ? say<"The file says how its images are seen upright: they were mirrored, left to right.">()
+                        : say<"The file says how its images are seen upright: they were turned clockwise by %1 degrees, then mirrored.">(
                               stated.degrees()));
   if (source.shaper->stretches())
     notes.push_back(
-        say<"The file says that its pixels are %1 times as wide as high: pictures of %2 x %3 were stretched to %4 x %5 square ones.">(
+        say<"The file says that its pixels are %1 times as wide as high: images of %2 x %3 were stretched to %4 x %5 square ones.">(
             numeral(textOf(std::round(stored.pixelAspect * 1e4) / 1e4)), stored.width_px, stored.height_px, source.shaper->squareWidth_px(),
             source.shaper->squareHeight_px()));
   return {};
@@ -501,12 +500,12 @@ const char* nameOf(CineKind kind) {
     case CineKind::dicomFilm:
       return "film in DICOM";
     case CineKind::dicom:
-      return "DICOM pictures";
+      return "DICOM images";
     case CineKind::pages:
       return "TIFF";
     case CineKind::sequence:
       return "sequence";
-    case CineKind::pictures:
+    case CineKind::images:
       return "pictures";
   }
   return "";
@@ -516,7 +515,7 @@ bool isFilm(const fs::path& file) { return checkIsFile(file) && beginsAsFilm(beg
 bool isTiff(const fs::path& file) { return checkIsFile(file) && beginsAsTiff(beginningOf(file)); }
 bool isDicomFilm(const fs::path& file) {
   if (!isDicom(file)) return false;
-  const auto dicom = readDicomFile(file, ReadLimits{}.maxBytes, noProgress());
+  const auto dicom = readDicomFile(file, ReaderLimits{}.maxBytes, noProgress());
   return dicom && isMpeg(dicom->transferSyntax);
 }
 
@@ -525,7 +524,7 @@ CineReader::~CineReader() = default;
 CineReader::CineReader(CineReader&&) noexcept = default;
 CineReader& CineReader::operator=(CineReader&&) noexcept = default;
 
-Result<CineReader> CineReader::open(const fs::path& file, Progress& progress, const ReadLimits& limits, const Orientation& asked,
+Result<CineReader> CineReader::open(const fs::path& file, Progress& progress, const ReaderLimits& limits, const Orientation& asked,
                                     const std::optional<double>& rate_hz) try {
   auto source = openAny(file, progress, limits);
   if (!source) return passOn(source.error());

@@ -9,18 +9,18 @@ namespace ew {
 
 namespace detail {
 
-/// What becomes of stored pictures on their way out: pixels that are not square are stretched along one side, then all is put upright.
-class PictureShaper {
+/// What becomes of stored images on their way out: pixels that are not square are stretched along one side, then all is put upright.
+class FrameShaper {
  public:
   /// @param stored width_px, height_px, pixelAspect and orientation count
-  PictureShaper(const CineInfo& stored, const Orientation& asked);
+  FrameShaper(const CineInfo& stored, const Orientation& asked);
   [[nodiscard]] int width_px() const { return orientation_.swapsSides() ? tall_ : wide_; }
   [[nodiscard]] int height_px() const { return orientation_.swapsSides() ? wide_ : tall_; }
   [[nodiscard]] int squareWidth_px() const { return wide_; }
   [[nodiscard]] int squareHeight_px() const { return tall_; }
   [[nodiscard]] bool stretches() const { return stretches_; }
   void shape(CineFrame& frame);
-  /// Where a part of stored pictures lies in those that are given.
+  /// Where a part of stored images lies in those that are given.
   [[nodiscard]] PixelRect shaped(const PixelRect& stored) const;
 
  private:
@@ -40,9 +40,9 @@ struct CineReader::Source {
   virtual Result<bool> read(CineFrame& frame, const Progress& progress) = 0;
   virtual Result<void> rewind() = 0;
 
-  CineInfo info;        ///< of pictures as they are stored
-  CineInfo shown = {};  ///< of pictures as they are given
-  std::optional<detail::PictureShaper> shaper = {};
+  CineInfo info;        ///< of images as they are stored
+  CineInfo shown = {};  ///< of images as they are given
+  std::optional<detail::FrameShaper> shaper = {};
   std::optional<double> statedRate_hz = {};  ///< of the frames, by a person
   std::uint64_t given = 0;
   std::optional<Error> brokenOff;
@@ -60,7 +60,7 @@ struct FilmStream {
 /// Films and TIFF, through the module that knows them.
 /// @param shown the file that sentences name; `file` is where its bytes are
 [[nodiscard]] Result<std::unique_ptr<CineReader::Source>> openFilm(const std::filesystem::path& file, const std::filesystem::path& shown,
-                                                                   CineKind kind, const FilmStream& stream, const ReadLimits& limits);
+                                                                   CineKind kind, const FilmStream& stream, const ReaderLimits& limits);
 
 }  // namespace detail
 }  // namespace ew

@@ -68,7 +68,7 @@ Result<void> ClipWriter::add(const RgbImage& image) {
   Reason why{};
   const auto* const bytes = reinterpret_cast<const unsigned char*>(image.pixels.data());
   if (!(*videoModule()->add)(parts_->clip, bytes, why.data(), why.size()))
-    return notWritten(parts_->file, reasonOr(why, say<"a picture could not be added">()));
+    return notWritten(parts_->file, reasonOr(why, say<"an image could not be added">()));
   return {};
 }
 

@@ -77,8 +77,7 @@ struct FilmSource final : CineReader::Source {
     if (const auto stated = orientationOfMatrix(matrix[0], matrix[1], matrix[2], matrix[3]))
       info.orientation = *stated;
     else if (info.notes.empty())
-      info.notes.push_back(
-          say<"The film says that its pictures are to be turned by no whole quarter, which is not done; turn it before.">());
+      info.notes.push_back(say<"The film says that its images are to be turned by no whole quarter, which is not done; turn it before.">());
   }
   void breakOff(ErrorCode code, Message message) {
     brokenOff = Error{code, std::move(message), {{"file", shown.string()}, {"frames", std::to_string(given)}}};
@@ -164,7 +163,7 @@ struct FilmSource final : CineReader::Source {
     return failure(ErrorCode::notReadable, say<"%1 was changed while it was in use; open it again.">(quoted(shown)),
                    {{"file", shown.string()}});
   }
-  /// Buffers, and what was found in the pictures, were made for the film that was opened: another one under its name is none of theirs.
+  /// Buffers, and what was found in the images, were made for the film that was opened: another one under its name is none of theirs.
   Result<void> rewind() override {
     const EwFilmFacts opened = said;
     const CineInfo before = info;
@@ -180,7 +179,7 @@ struct FilmSource final : CineReader::Source {
 }  // namespace
 
 Result<std::unique_ptr<CineReader::Source>> openFilm(const fs::path& file, const fs::path& shown, CineKind kind, const FilmStream& stream,
-                                                     const ReadLimits& limits) {
+                                                     const ReaderLimits& limits) {
   auto source = std::make_unique<FilmSource>();
   source->file = fs::absolute(file);
   source->shown = shown;
@@ -191,7 +190,7 @@ Result<std::unique_ptr<CineReader::Source>> openFilm(const fs::path& file, const
   const std::uint64_t pixels = static_cast<std::uint64_t>(info.width_px) * static_cast<std::uint64_t>(info.height_px);
   if (pixels > (1ull << 28) || pixels * 8 > limits.maxBytes)
     return failure(ErrorCode::tooLarge,
-                   say<"The pictures of %1 have %2 x %3 pixels, more than are read; record a smaller part of the screen.">(
+                   say<"The images of %1 have %2 x %3 pixels, more than are read; record a smaller part of the screen.">(
                        quoted(shown), info.width_px, info.height_px),
                    {{"file", shown.string()}});
   source->rgb.resize(3 * pixels);

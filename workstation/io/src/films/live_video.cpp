@@ -26,14 +26,14 @@ LiveVideo::LiveVideo(std::unique_ptr<Opened> opened, double rate_hz) : opened_(s
 
 LiveVideo::~LiveVideo() { detail::videoModule()->closeLive(opened_->live); }
 
-LiveVideo::Next LiveVideo::next(double wait_s, Picture& picture) {
-  EwLivePicture got{};
+LiveVideo::Next LiveVideo::next(double wait_s, DisplayImage& image) {
+  EwLiveImage got{};
   const int came = detail::videoModule()->nextOfLive(opened_->live, wait_s, &got);
   if (came != 1) return came == 0 ? Next::notYet : Next::gone;
-  picture.grey = {got.grey, got.width_px, got.height_px, got.stride_bytes};
-  picture.stamp_s = got.stamp_s;
-  picture.arrival_s = got.arrival_s;
-  return Next::picture;
+  image.grey = {got.grey, got.width_px, got.height_px, got.stride_bytes};
+  image.stamp_s = got.stamp_s;
+  image.arrival_s = got.arrival_s;
+  return Next::image;
 }
 
 }  // namespace ew

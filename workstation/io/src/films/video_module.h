@@ -26,7 +26,7 @@ struct EwFilmFacts {
   double rate_hz;      ///< 0: it does not say
   double duration_s;   ///< as its header states; 0: it does not say
   double pixelAspect;  ///< how much wider than high a stored pixel is; 0: it does not say
-  double matrix[4];    ///< x' = [0] x + [2] y, y' = [1] x + [3] y puts a stored picture upright; all 0: it does not say
+  double matrix[4];    ///< x' = [0] x + [2] y, y' = [1] x + [3] y puts a stored image upright; all 0: it does not say
   int orientationTag;  ///< of a TIFF, 1 to 8; 0: it does not say
   int isOtherCodec;    ///< it was not opened, because its codec is none of those that were named
   bool operator==(const EwFilmFacts&) const = default;
@@ -47,7 +47,7 @@ using EwFilmFaults = int(const EwFilm* film);
 using EwFilmClose = void(EwFilm* film);
 
 using EwLive = struct EwLiveParts;
-struct EwLivePicture {
+struct EwLiveImage {
   const unsigned char* grey;  ///< height_px rows, stride_bytes apart; valid until the next call
   int width_px;
   int height_px;
@@ -55,10 +55,10 @@ struct EwLivePicture {
   double stamp_s;    ///< when it was exposed, by the driver's clock; not above 0: not known
   double arrival_s;  ///< std::chrono::steady_clock, before it was decoded
 };
-/// A camera by its device file, asked for pictures of that size and rate, or a film, which has its own.
+/// A camera by its device file, asked for images of that size and rate, or a film, which has its own.
 /// @param rate_hz asked for, and what it is; 0: it does not say. @return null when it cannot be opened
 using EwLiveOpen = EwLive*(const char* file, int isFilm, int width_px, int height_px, double* rate_hz);
-/// @return 1 for a picture, 0 when none came within wait_s or one could not be decoded, -1 when the film is over or the camera gone
-using EwLiveNext = int(EwLive* live, double wait_s, EwLivePicture* picture);
+/// @return 1 for an image, 0 when none came within wait_s or one could not be decoded, -1 when the film is over or the camera gone
+using EwLiveNext = int(EwLive* live, double wait_s, EwLiveImage* image);
 using EwLiveClose = void(EwLive* live);
 }

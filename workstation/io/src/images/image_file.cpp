@@ -24,15 +24,15 @@ template <class Pixel>
 constexpr int kChannels = sizeof(Pixel);
 
 template <class Pixel>
-Result<void> writePng(const Image<Pixel>& picture, const fs::path& file) {
+Result<void> writePng(const Image<Pixel>& image, const fs::path& file) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
-  png.width = static_cast<png_uint_32>(picture.width);
-  png.height = static_cast<png_uint_32>(picture.height);
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
   png.format = kChannels<Pixel> == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png), '\0');
   png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, picture.pixels.data(), picture.width * kChannels<Pixel>, nullptr) == 0)
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.pixels.data(), image.width * kChannels<Pixel>, nullptr) == 0)
     return failure(ErrorCode::internal, say<"%1 could not be packed as PNG; try another size.">(quoted(file)),
                    {{"file", file.string()}, {"reason", png.message}});
   bytes.resize(size);
@@ -44,17 +44,17 @@ Result<GreyImage> readPng(const fs::path& file) {
   if (!bytes) return passOn(bytes.error());
   auto png = readPngPixels({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, file, kMostPixels);
   if (!png) return passOn(png.error());
-  GreyImage picture;
-  picture.width = png->width;
-  picture.height = png->height;
+  GreyImage image;
+  image.width = png->width;
+  image.height = png->height;
   if (!png->inColour) {
-    picture.pixels = std::move(png->samples);
-    return picture;
+    image.pixels = std::move(png->samples);
+    return image;
   }
-  picture.pixels.resize(png->samples.size() / 3);
-  for (std::size_t n = 0; n < picture.pixels.size(); ++n)
-    picture.pixels[n] = luminanceOf(png->samples[3 * n], png->samples[3 * n + 1], png->samples[3 * n + 2]);
-  return picture;
+  image.pixels.resize(png->samples.size() / 3);
+  for (std::size_t n = 0; n < image.pixels.size(); ++n)
+    image.pixels[n] = luminanceOf(png->samples[3 * n], png->samples[3 * n + 1], png->samples[3 * n + 2]);
+  return image;
 }
 
 template <class Pixel>
@@ -65,7 +65,7 @@ Result<void> writePixels(ImageView<const Pixel> image, double pixel_mm, const fs
                    {{"file", file.string()}});
   EW_EXPECTS(image.width > 0 && image.height > 0);
   if (image.width <= 0 || image.height <= 0)
-    return failure(ErrorCode::internal, say<"The picture has no pixels, so %1 was not written.">(quoted(file)));
+    return failure(ErrorCode::internal, say<"The image has no pixels, so %1 was not written.">(quoted(file)));
   Image<Pixel> packed(image.width, image.height);
   for (int y = 0; y < image.height; ++y) std::copy_n(image.row(y), image.width, viewOf(packed).row(y));
   if (ending == ".png") return writePng(packed, file);
@@ -79,7 +79,7 @@ Result<void> writePixels(ImageView<const Pixel> image, double pixel_mm, const fs
   text.geometry.spacing_mm = glm::dvec3(pixel_mm);
   const std::span<const std::uint8_t> samples(reinterpret_cast<const std::uint8_t*>(packed.pixels.data()),
                                               packed.pixels.size() * sizeof(Pixel));
-  return writeMetaFile(file, text, samples, false, say<"Writing picture">(), noProgress());
+  return writeMetaFile(file, text, samples, false, say<"Writing image">(), noProgress());
 }
 
 }  // namespace
@@ -98,13 +98,13 @@ Result<GreyImage> readImage(const fs::path& file) try {
   const Grid& grid = loaded->volume.grid;
   if (grid.dims.z != 1)
     return failure(ErrorCode::unsupported,
-                   say<"%1 is a volume of %2 slices, not a picture; open it as a volume.">(quoted(file), grid.dims.z),
+                   say<"%1 is a volume of %2 slices, not an image; open it as a volume.">(quoted(file), grid.dims.z),
                    {{"file", file.string()}});
-  GreyImage picture;
-  picture.width = grid.dims.x;
-  picture.height = grid.dims.y;
-  picture.pixels = std::move(loaded->volume.echo);
-  return picture;
+  GreyImage image;
+  image.width = grid.dims.x;
+  image.height = grid.dims.y;
+  image.pixels = std::move(loaded->volume.echo);
+  return image;
 } catch (const std::bad_alloc&) {
   return failure(ErrorCode::tooLarge, say<"There is not enough memory for %1; close other programs.">(quoted(file)),
                  {{"file", file.string()}});

@@ -7,7 +7,7 @@
 #include <new>
 
 #include "dicom/dicom_pixels.h"
-#include "dicom/stack_picture.h"
+#include "dicom/stack_image.h"
 #include "ew/core/file_errors.h"
 #include "ew/core/numbers.h"
 #include "ew/io/orientation.h"
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMostStackPixels = 1ull << 28;
 constexpr std::uint64_t kLargestFile = 256u << 20;
 
-bool isPicture(const fs::path& file) {
+bool isImage(const fs::path& file) {
   const std::string ending = lowerCase(file.extension().string());
   return ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".pgm";
 }
@@ -59,29 +59,29 @@ bool earlier(const fs::path& a, const fs::path& b) {
 }
 
 tl::unexpected<Error> damaged(const fs::path& file, const Message& why) {
-  return failure(ErrorCode::badHeader, say<"%1 is not a picture that can be read (%2); save it again.">(quoted(file), why),
+  return failure(ErrorCode::badHeader, say<"%1 is not an image that can be read (%2); save it again.">(quoted(file), why),
                  {{"file", file.string()}});
 }
 
-Result<JpegGrey> readPngPicture(Bytes bytes, const fs::path& file) {
+Result<JpegGrey> readPngImage(Bytes bytes, const fs::path& file) {
   auto png = readPngPixels(bytes, file, kMostStackPixels);
   if (!png) return passOn(png.error());
-  JpegGrey picture;
-  picture.width = png->width;
-  picture.height = png->height;
+  JpegGrey image;
+  image.width = png->width;
+  image.height = png->height;
   if (!png->inColour) {
-    picture.level = std::move(png->samples);
-    return picture;
+    image.level = std::move(png->samples);
+    return image;
   }
   const std::size_t pixels = png->samples.size() / 3;
-  picture.level.resize(pixels);
-  picture.coloured.resize(pixels);
+  image.level.resize(pixels);
+  image.coloured.resize(pixels);
   for (std::size_t n = 0; n < pixels; ++n) {
     const std::uint8_t r = png->samples[3 * n], g = png->samples[3 * n + 1], b = png->samples[3 * n + 2];
-    picture.level[n] = luminanceOf(r, g, b);
-    picture.coloured[n] = std::max({r, g, b}) - std::min({r, g, b}) > FrameReader::kColourStep ? 1 : 0;
+    image.level[n] = luminanceOf(r, g, b);
+    image.coloured[n] = std::max({r, g, b}) - std::min({r, g, b}) > FrameReader::kColourStep ? 1 : 0;
   }
-  return picture;
+  return image;
 }
 
 /// Portable grey map, binary, 8 bits.
@@ -106,24 +106,24 @@ Result<JpegGrey> readPgm(Bytes bytes, const fs::path& file) {
   ++at;
   const std::size_t pixels = *width * *height;
   if (at > bytes.size() || bytes.size() - at < pixels) return damaged(file, say<"it ends early">());
-  JpegGrey picture;
-  picture.width = static_cast<int>(*width);
-  picture.height = static_cast<int>(*height);
+  JpegGrey image;
+  image.width = static_cast<int>(*width);
+  image.height = static_cast<int>(*height);
   const Bytes samples = bytes.subspan(at, pixels);
-  picture.level.assign(samples.begin(), samples.end());
-  return picture;
+  image.level.assign(samples.begin(), samples.end());
+  return image;
 }
 
-/// What a picture's own header can say beside what is read of it.
-constexpr std::array kPictureFields{
-    KnownField{"pHYs", FieldTouches::geometry}, KnownField{"JFIF density", FieldTouches::geometry},
-    KnownField{"gAMA", FieldTouches::levels},   KnownField{"iCCP", FieldTouches::levels},
-    KnownField{"acTL", FieldTouches::count},
+/// What an image's own header can say beside what is read of it.
+constexpr std::array kImageFields{
+    FieldTableRow{"pHYs", FieldTouches::geometry}, FieldTableRow{"JFIF density", FieldTouches::geometry},
+    FieldTableRow{"gAMA", FieldTouches::levels},   FieldTableRow{"iCCP", FieldTouches::levels},
+    FieldTableRow{"acTL", FieldTouches::count},
 };
 
 /// Chunks of a PNG, or the density of a JPEG, that state something a stack does not use.
 std::vector<Message> unusedOf(Bytes file) {
-  HeaderFields fields(kPictureFields);
+  HeaderFields fields(kImageFields);
   const auto number = [&](std::size_t at, std::size_t bytes) {
     std::uint32_t value = 0;
     for (std::size_t n = 0; n < bytes; ++n) value = value << 8 | file[at + n];
@@ -158,37 +158,37 @@ std::vector<Message> unusedOf(Bytes file) {
   return fields.unused();
 }
 
-/// A picture as its camera says that it is to be seen.
-void putUpright(JpegGrey& picture, const Orientation& orientation) {
+/// An image as its camera says that it is to be seen.
+void putUpright(JpegGrey& image, const Orientation& orientation) {
   if (orientation.isUpright()) return;
   std::vector<std::uint8_t> upright;
-  for (std::vector<std::uint8_t>* plane : {&picture.level, &picture.coloured}) {
+  for (std::vector<std::uint8_t>* plane : {&image.level, &image.coloured}) {
     if (plane->empty()) continue;
-    ew::putUpright(*plane, picture.width, picture.height, orientation, upright);
+    ew::putUpright(*plane, image.width, image.height, orientation, upright);
     plane->swap(upright);
   }
-  if (orientation.swapsSides()) std::swap(picture.width, picture.height);
+  if (orientation.swapsSides()) std::swap(image.width, image.height);
 }
 
 }  // namespace
 
-Result<JpegGrey> detail::readStackPicture(const fs::path& file, const Progress& progress) {
+Result<JpegGrey> detail::readStackImage(const fs::path& file, const Progress& progress) {
   if (const auto fits = checkContent(file); !fits) return passOn(fits.error());
   const auto bytes = readWholeFile(file, kLargestFile);
   if (!bytes) return passOn(bytes.error());
   const std::string ending = lowerCase(file.extension().string());
-  auto picture = ending == ".png"   ? readPngPicture(*bytes, file)
-                 : ending == ".pgm" ? readPgm(*bytes, file)
-                                    : readJpeg(*bytes, file, kMostStackPixels, progress);
-  if (picture) putUpright(*picture, orientationOfPicture(*bytes));
-  return picture;
+  auto image = ending == ".png"   ? readPngImage(*bytes, file)
+               : ending == ".pgm" ? readPgm(*bytes, file)
+                                  : readJpeg(*bytes, file, kMostStackPixels, progress);
+  if (image) putUpright(*image, orientationOfImage(*bytes));
+  return image;
 }
 
-double detail::pixelAspectOfPicture(const fs::path& file) {
+double detail::pixelAspectOfImage(const fs::path& file) {
   const auto bytes = readWholeFile(file, kLargestFile);
   if (!bytes) return 1.0;
   const double stored = pixelAspectOfPng(*bytes);
-  return orientationOfPicture(*bytes).swapsSides() ? 1.0 / stored : stored;
+  return orientationOfImage(*bytes).swapsSides() ? 1.0 / stored : stored;
 }
 
 Result<void> detail::settleStackColours(std::uint64_t colouredPixels, std::uint64_t pixels, ColourRule rule, const fs::path& named,
@@ -207,100 +207,98 @@ Result<void> detail::settleStackColours(std::uint64_t colouredPixels, std::uint6
   return {};
 }
 
-Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrPicture) {
+Result<std::vector<fs::path>> stackFiles(const fs::path& folderOrImage) {
   std::error_code ec;
-  const bool folder = fs::is_directory(folderOrPicture, ec);
+  const bool folder = fs::is_directory(folderOrImage, ec);
   if (!folder)
-    if (const auto status = checkIsFile(folderOrPicture); !status) return passOn(status.error());
-  const fs::path where = folder ? folderOrPicture : folderOrPicture.has_parent_path() ? folderOrPicture.parent_path() : fs::path(".");
-  const Numbered like = numbered(folderOrPicture.filename().string());
+    if (const auto status = checkIsFile(folderOrImage); !status) return passOn(status.error());
+  const fs::path where = folder ? folderOrImage : folderOrImage.has_parent_path() ? folderOrImage.parent_path() : fs::path(".");
+  const Numbered like = numbered(folderOrImage.filename().string());
   std::vector<fs::path> files;
   fs::directory_iterator entries(where, ec);
   if (ec) return notListed(where, ec.value());
   for (const auto& entry : entries) {
-    if (!isPicture(entry.path()) || !entry.is_regular_file(ec)) continue;
+    if (!isImage(entry.path()) || !entry.is_regular_file(ec)) continue;
     const Numbered here = numbered(entry.path().filename().string());
     if (folder || (!like.digits.empty() ? here.before == like.before && here.after == like.after && !here.digits.empty()
-                                        : entry.path().filename() == folderOrPicture.filename()))
+                                        : entry.path().filename() == folderOrImage.filename()))
       files.push_back(entry.path());
   }
   if (files.empty())
-    return failure(ErrorCode::unsupported,
-                   say<"%1 holds no pictures (.png, .jpg, .pgm); choose a folder that does.">(quoted(folderOrPicture)),
-                   {{"file", folderOrPicture.string()}});
+    return failure(ErrorCode::unsupported, say<"%1 holds no images (.png, .jpg, .pgm); choose a folder that does.">(quoted(folderOrImage)),
+                   {{"file", folderOrImage.string()}});
   std::sort(files.begin(), files.end(), earlier);
   return files;
 }
 
-Result<StackPicture> readFirstOfStack(const fs::path& folderOrPicture) try {
-  const auto files = stackFiles(folderOrPicture);
+Result<StackImage> readFirstOfStack(const fs::path& folderOrImage) try {
+  const auto files = stackFiles(folderOrImage);
   if (!files) return passOn(files.error());
-  auto picture = readStackPicture(files->front(), noProgress());
-  if (!picture) return passOn(picture.error());
-  StackPicture first;
-  first.level.width = picture->width;
-  first.level.height = picture->height;
-  first.level.pixels = std::move(picture->level);
-  first.coloured = std::move(picture->coloured);
+  auto image = readStackImage(files->front(), noProgress());
+  if (!image) return passOn(image.error());
+  StackImage first;
+  first.level.width = image->width;
+  first.level.height = image->height;
+  first.level.pixels = std::move(image->level);
+  first.coloured = std::move(image->coloured);
   return first;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge, say<"There is not enough memory for a picture of %1; close other programs.">(quoted(folderOrPicture)),
-                 {{"file", folderOrPicture.string()}});
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for an image of %1; close other programs.">(quoted(folderOrImage)),
+                 {{"file", folderOrImage.string()}});
 }
 
-Result<StackVolume> readImageStack(const fs::path& folderOrPicture, const StackOptions& options, Progress& progress,
-                                   const ReadLimits& limits) try {
-  const auto files = stackFiles(folderOrPicture);
+Result<StackVolume> readImageStack(const fs::path& folderOrImage, const StackOptions& options, Progress& progress,
+                                   const ReaderLimits& limits) try {
+  const auto files = stackFiles(folderOrImage);
   if (!files) return passOn(files.error());
   if (const auto fits = checkContent(files->front()); !fits) return passOn(fits.error());
   if (!options.spacing_mm)
     return failure(ErrorCode::missingCalibration,
-                   say<"Pictures do not say how large a pixel is and how far apart they lie; give the spacing in mm.">(),
-                   {{"file", folderOrPicture.string()}, {"ask", "spacing"}});
+                   say<"Images do not say how large a pixel is and how far apart they lie; give the spacing in mm.">(),
+                   {{"file", folderOrImage.string()}, {"ask", "spacing"}});
   StackVolume made;
   if (const auto first = readWholeFile(files->front(), kLargestFile)) made.notes = unusedOf(*first);
   Volume& volume = made.volume;
   std::uint64_t colouredPixels = 0;
   for (std::size_t n = 0; n < files->size(); ++n) {
-    if (progress.cancelRequested()) return stopped(folderOrPicture);
-    auto picture = readStackPicture((*files)[n], progress);
-    if (!picture) return passOn(picture.error());
+    if (progress.cancelRequested()) return stopped(folderOrImage);
+    auto image = readStackImage((*files)[n], progress);
+    if (!image) return passOn(image.error());
     if (n == 0) {
-      volume.grid.dims = {picture->width, picture->height, static_cast<int>(files->size())};
+      volume.grid.dims = {image->width, image->height, static_cast<int>(files->size())};
       volume.grid.spacing_mm = *options.spacing_mm;
       if (auto usable = checkGrid(volume.grid); !usable) return passOn(usable.error());
       if (volume.grid.voxelCount() > limits.maxBytes)
         return failure(ErrorCode::tooLarge,
-                       say<"The pictures would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.">(
+                       say<"The images would need %1 bytes of memory, but the limit is %2; take fewer or smaller ones.">(
                            volume.grid.voxelCount(), limits.maxBytes),
-                       {{"file", folderOrPicture.string()}});
+                       {{"file", folderOrImage.string()}});
       volume.echo.reserve(volume.grid.voxelCount());
-    } else if (picture->width != volume.grid.dims.x || picture->height != volume.grid.dims.y) {
+    } else if (image->width != volume.grid.dims.x || image->height != volume.grid.dims.y) {
       return failure(ErrorCode::badField,
-                     say<"%1 has %2 x %3 pixels, the first picture %4 x %5; put pictures of one size into the folder.">(
-                         quoted((*files)[n]), picture->width, picture->height, volume.grid.dims.x, volume.grid.dims.y),
+                     say<"%1 has %2 x %3 pixels, the first image %4 x %5; put images of one size into the folder.">(
+                         quoted((*files)[n]), image->width, image->height, volume.grid.dims.x, volume.grid.dims.y),
                      {{"file", (*files)[n].string()}});
     }
-    blank(picture->coloured, picture->width, picture->height, options.blank);
-    made.removed.pixelsPerFrame = blank(picture->level, picture->width, picture->height, options.blank);
-    colouredPixels += static_cast<std::uint64_t>(std::count(picture->coloured.begin(), picture->coloured.end(), 1));
+    blank(image->coloured, image->width, image->height, options.blank);
+    made.removed.pixelsPerFrame = blank(image->level, image->width, image->height, options.blank);
+    colouredPixels += static_cast<std::uint64_t>(std::count(image->coloured.begin(), image->coloured.end(), 1));
     if (options.colour == ColourRule::dropColour)
-      for (std::size_t p = 0; p < picture->coloured.size(); ++p)
-        if (picture->coloured[p] != 0) picture->level[p] = 0;
-    volume.echo.insert(volume.echo.end(), picture->level.begin(), picture->level.end());
-    progress.report(say<"Reading pictures">(), static_cast<double>(n + 1) / static_cast<double>(files->size()));
+      for (std::size_t p = 0; p < image->coloured.size(); ++p)
+        if (image->coloured[p] != 0) image->level[p] = 0;
+    volume.echo.insert(volume.echo.end(), image->level.begin(), image->level.end());
+    progress.report(say<"Reading images">(), static_cast<double>(n + 1) / static_cast<double>(files->size()));
   }
   made.removed.blanked = options.blank;
-  if (auto settled = settleStackColours(colouredPixels, volume.echo.size(), options.colour, folderOrPicture, made.notes); !settled)
+  if (auto settled = settleStackColours(colouredPixels, volume.echo.size(), options.colour, folderOrImage, made.notes); !settled)
     return passOn(settled.error());
-  made.notes.push_back(say<"%1 pictures were read in the order of their numbers: x to the right, y down, z from picture to picture, the "
+  made.notes.push_back(say<"%1 images were read in the order of their numbers: x to the right, y down, z from image to image, the "
                            "origin in the first pixel of the first; which way they lie in the patient is not known.">(files->size()));
-  made.notes.push_back(say<"Pictures may have text burned in; check that they name nobody.">());
+  made.notes.push_back(say<"Images may have text burned in; check that they name nobody.">());
   return made;
 } catch (const std::bad_alloc&) {
-  return failure(ErrorCode::tooLarge,
-                 say<"There is not enough memory for the pictures of %1; close other programs.">(quoted(folderOrPicture)),
-                 {{"file", folderOrPicture.string()}});
+  return failure(ErrorCode::tooLarge, say<"There is not enough memory for the images of %1; close other programs.">(quoted(folderOrImage)),
+                 {{"file", folderOrImage.string()}});
 }
 
 }  // namespace ew

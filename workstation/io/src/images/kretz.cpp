@@ -172,7 +172,7 @@ glm::dvec3 placeOf(const Torus& torus, double r_mm, double theta_rad, double phi
           hand * (depth_mm - R_mm) * std::sin(phi_rad)};
 }
 
-Result<Grid> gridOf(const Torus& torus, double spacing_mm, double hand, const fs::path& file, const ReadLimits& limits) {
+Result<Grid> gridOf(const Torus& torus, double spacing_mm, double hand, const fs::path& file, const ReaderLimits& limits) {
   glm::dvec3 lowest(std::numeric_limits<double>::infinity()), highest(-std::numeric_limits<double>::infinity());
   const double end_mm = torus.start_mm + torus.step_mm * (torus.counts.x - 1);
   auto thetas = torus.theta_rad, phis = torus.phi_rad;
@@ -297,7 +297,7 @@ Message conversionNote(bool mirrored, const std::string& spacing_mm) {
 }
 
 Result<KretzVolume> readBytes(Bytes bytes, const fs::path& file, const KretzOptions& options, Progress& progress,
-                              const ReadLimits& limits) {
+                              const ReaderLimits& limits) {
   if (bytes.size() < kMagic.size() || std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0)
     return failure(ErrorCode::badHeader, say<"%1 is not a Kretz file; check what kind of file it is.">(quoted(file)),
                    {{"file", file.string()}});
@@ -381,14 +381,14 @@ bool isKretz(const fs::path& file) {
   return in && std::string_view(beginning.data(), beginning.size()) == kMagic;
 }
 
-Result<KretzVolume> readKretz(const fs::path& file, const KretzOptions& options, Progress& progress, const ReadLimits& limits) try {
+Result<KretzVolume> readKretz(const fs::path& file, const KretzOptions& options, Progress& progress, const ReaderLimits& limits) try {
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());
   if (!isKretz(file) && isDicom(file)) {
     const auto dicom = readDicomFile(file, limits.maxBytes, progress);
     if (!dicom) return passOn(dicom.error());
     const Bytes inside = kretzInside(dicom->data);
     if (inside.empty())
-      return failure(ErrorCode::unsupported, say<"%1 is a DICOM file without a Kretz volume in it; import it as pictures.">(quoted(file)),
+      return failure(ErrorCode::unsupported, say<"%1 is a DICOM file without a Kretz volume in it; import it as images.">(quoted(file)),
                      {{"file", file.string()}});
     auto made = readBytes(inside, file, options, progress, limits);
     if (!made) return made;

@@ -70,7 +70,7 @@ Result<PngPixels> readPngPixels(Bytes bytes, const std::filesystem::path& file, 
   const auto refuse = [&] {
     const std::string why = png.message;
     png_image_free(&png);
-    return failure(ErrorCode::badHeader, say<"%1 is not a PNG that can be read (%2); save the picture again.">(quoted(file), verbatim(why)),
+    return failure(ErrorCode::badHeader, say<"%1 is not a PNG that can be read (%2); save the image again.">(quoted(file), verbatim(why)),
                    {{"file", file.string()}, {"reason", why}});
   };
   const std::vector<std::uint8_t> plain = withoutScreens(bytes);
@@ -78,19 +78,19 @@ Result<PngPixels> readPngPixels(Bytes bytes, const std::filesystem::path& file, 
   if (const std::uint64_t pixels = std::uint64_t{png.width} * png.height; pixels > mostPixels) {
     png_image_free(&png);
     return failure(ErrorCode::tooLarge,
-                   say<"%1 promises %2 pixels, but the limit is %3; save a smaller picture.">(quoted(file), pixels, mostPixels),
+                   say<"%1 promises %2 pixels, but the limit is %3; save a smaller image.">(quoted(file), pixels, mostPixels),
                    {{"file", file.string()}, {"pixels", std::to_string(pixels)}, {"limit", std::to_string(mostPixels)}});
   }
   png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // or 16 bits would count as linear light and get a screen's curve
-  PngPixels picture;
-  picture.width = static_cast<int>(png.width);
-  picture.height = static_cast<int>(png.height);
-  picture.inColour = (png.format & PNG_FORMAT_FLAG_COLOR) != 0;
-  png.format = picture.inColour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
-  picture.samples.resize(std::size_t{png.width} * png.height * (picture.inColour ? 3 : 1));
+  PngPixels image;
+  image.width = static_cast<int>(png.width);
+  image.height = static_cast<int>(png.height);
+  image.inColour = (png.format & PNG_FORMAT_FLAG_COLOR) != 0;
+  png.format = image.inColour ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
+  image.samples.resize(std::size_t{png.width} * png.height * (image.inColour ? 3 : 1));
   const png_color black{0, 0, 0};
-  if (png_image_finish_read(&png, &black, picture.samples.data(), 0, nullptr) == 0) return refuse();
-  return picture;
+  if (png_image_finish_read(&png, &black, image.samples.data(), 0, nullptr) == 0) return refuse();
+  return image;
 }
 
 }  // namespace ew::detail

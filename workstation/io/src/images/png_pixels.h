@@ -25,7 +25,7 @@ struct PngPixels {
 /// How much wider than high the pixels of a PNG are by its pHYs; 1 where it says nothing that can be, or the file is no PNG.
 [[nodiscard]] double pixelAspectOfPng(Bytes png);
 
-/// ITU-R BT.601, as of other coloured pictures.
+/// ITU-R BT.601, as of other coloured images.
 [[nodiscard]] std::uint8_t luminanceOf(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 
 }  // namespace ew::detail

@@ -11,7 +11,7 @@
 namespace ew {
 namespace detail {
 
-bool isUsable(const NamedTransform& transform) {
+bool isUsable(const FrameTransform& transform) {
   const glm::dmat4& m = transform.matrix;
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
@@ -25,7 +25,7 @@ bool isUsable(const NamedTransform& transform) {
   return box > 0.0 && volume > 1e-6 * box;
 }
 
-Message problemOf(const NamedTransform& transform) {
+Message problemOf(const FrameTransform& transform) {
   if (isUsable(transform)) return {};
   const glm::dmat4& m = transform.matrix;
   for (int column = 0; column < 4; ++column)
@@ -42,12 +42,12 @@ Message problemOf(const NamedTransform& transform) {
   return say<"its first three columns do not span a space: all points would fall into one plane">();
 }
 
-bool giveThickness(NamedTransform& transform) {
+bool giveThickness(FrameTransform& transform) {
   if (transform.from != "Image" || glm::dvec3(transform.matrix[2]) != glm::dvec3(0.0)) return false;
   const glm::dvec3 x(transform.matrix[0]), y(transform.matrix[1]);
   const glm::dvec3 upright = glm::cross(x, y);
   if (!(glm::length(upright) > 0.0)) return false;
-  NamedTransform thick = transform;
+  FrameTransform thick = transform;
   thick.matrix[2] = glm::dvec4(glm::normalize(upright) * std::sqrt(glm::length(x) * glm::length(y)), 0.0);
   if (!isUsable(thick)) return false;
   transform = std::move(thick);
@@ -64,7 +64,7 @@ std::optional<TransformName> splitTransformName(std::string_view joined) {
 
 }  // namespace detail
 
-std::optional<glm::dmat4> chain(std::span<const NamedTransform> transforms, std::string_view from, std::string_view to) {
+std::optional<glm::dmat4> chain(std::span<const FrameTransform> transforms, std::string_view from, std::string_view to) {
   if (from == to) return glm::dmat4(1.0);
   struct Stop {
     std::string_view name;
@@ -78,7 +78,7 @@ std::optional<glm::dmat4> chain(std::span<const NamedTransform> transforms, std:
     const Stop here = ahead.front();
     ahead.pop();
     for (std::size_t i = 0; i < transforms.size(); ++i) {
-      const NamedTransform& step = transforms[i];
+      const FrameTransform& step = transforms[i];
       const bool forwards = step.from == here.name;
       if (tried[i] || (!forwards && step.to != here.name)) continue;
       if (step.status != PoseStatus::ok || !detail::isUsable(step)) continue;
@@ -93,10 +93,10 @@ std::optional<glm::dmat4> chain(std::span<const NamedTransform> transforms, std:
   return std::nullopt;
 }
 
-std::vector<std::string> reachableFrom(std::span<const NamedTransform> transforms, std::string_view from) {
+std::vector<std::string> reachableFrom(std::span<const FrameTransform> transforms, std::string_view from) {
   std::vector<std::string> reached{std::string(from)};
   for (std::size_t at = 0; at < reached.size(); ++at)
-    for (const NamedTransform& step : transforms) {
+    for (const FrameTransform& step : transforms) {
       if (step.status != PoseStatus::ok || !detail::isUsable(step)) continue;
       for (const auto& [here, next] : {std::pair(&step.from, &step.to), std::pair(&step.to, &step.from)})
         if (*here == reached[at] && std::find(reached.begin(), reached.end(), *next) == reached.end()) reached.push_back(*next);

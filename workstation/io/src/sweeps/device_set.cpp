@@ -8,7 +8,7 @@
 #include "ew/io/sequence.h"
 #include "files/header_fields.h"
 #include "files/image_header.h"
-#include "sweeps/stated_fields.h"
+#include "sweeps/field_statements.h"
 
 namespace ew {
 namespace {
@@ -17,22 +17,22 @@ namespace fs = std::filesystem;
 
 /// What VolumeReconstruction of device sets is known to say. What is not here is told as not known.
 constexpr std::array kReconstructionFields{
-    KnownField{"ImageCoordinateFrame", FieldTouches::geometry},
-    KnownField{"OutputOrigin", FieldTouches::geometry},
-    KnownField{"OutputExtent", FieldTouches::geometry},
-    KnownField{"EnableFanAnglesAutoDetect", FieldTouches::geometry},
-    KnownField{"PixelRejectionThreshold", FieldTouches::levels},
-    KnownField{"ImportanceMaskFilename", FieldTouches::levels},
-    KnownField{"SkipInterval", FieldTouches::count},
-    KnownField{"Optimization"},
-    KnownField{"FillHoles"},
-    KnownField{"NumberOfThreads"},
-    KnownField{"OutputVolumeFilename"},
-    KnownField{"OutputVolDeviceName"},
+    FieldTableRow{"ImageCoordinateFrame", FieldTouches::geometry},
+    FieldTableRow{"OutputOrigin", FieldTouches::geometry},
+    FieldTableRow{"OutputExtent", FieldTouches::geometry},
+    FieldTableRow{"EnableFanAnglesAutoDetect", FieldTouches::geometry},
+    FieldTableRow{"PixelRejectionThreshold", FieldTouches::levels},
+    FieldTableRow{"ImportanceMaskFilename", FieldTouches::levels},
+    FieldTableRow{"SkipInterval", FieldTouches::count},
+    FieldTableRow{"Optimization"},
+    FieldTableRow{"FillHoles"},
+    FieldTableRow{"NumberOfThreads"},
+    FieldTableRow{"OutputVolumeFilename"},
+    FieldTableRow{"OutputVolDeviceName"},
 };
 
 /// Takes the fields one after another, and what goes together of them.
-Result<void> takeStated(std::span<const SetField> fields, const StatedFields& from, DeviceSet& set) {
+Result<void> takeStated(std::span<const SetField> fields, const FieldStatements& from, DeviceSet& set) {
   bool statesSize = false;
   for (const SetField field : fields) {
     const auto taken = takeField(field, from, set);
@@ -75,7 +75,7 @@ Result<void> readTransform(const fs::path& file, const pugi::xml_node& node, Dev
 Result<void> readReconstruction(const fs::path& file, const pugi::xml_node& node, DeviceSet& set) {
   HeaderFields fields(kReconstructionFields, FieldTouches::nobodyKnows, FieldsOf::deviceSet);
   for (const auto& attribute : node.attributes()) fields.meet(attribute.name(), attribute.value());
-  StatedFields stated;
+  FieldStatements stated;
   stated.look = [&](const std::string& name) -> std::optional<std::string> {
     const auto attribute = node.attribute(name.c_str());
     if (!attribute) return std::nullopt;
@@ -145,7 +145,7 @@ Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files) {
     auto read = readDeviceSet(file);
     if (!read) return passOn(read.error());
     for (auto& transform : read->transforms) {
-      const bool known = std::any_of(joined.transforms.begin(), joined.transforms.end(), [&](const NamedTransform& each) {
+      const bool known = std::any_of(joined.transforms.begin(), joined.transforms.end(), [&](const FrameTransform& each) {
         return (each.from == transform.from && each.to == transform.to) || (each.from == transform.to && each.to == transform.from);
       });
       if (!known) joined.transforms.push_back(std::move(transform));
@@ -167,7 +167,7 @@ Result<DeviceSet> readDeviceSets(std::span<const std::filesystem::path> files) {
 }
 
 Result<DeviceSet> clipStatedIn(const Sequence& sequence) {
-  StatedFields stated{.isRecording = true};
+  FieldStatements stated{.isRecording = true};
   stated.look = [&](const std::string& name) -> std::optional<std::string> {
     for (const auto& [field, value] : sequence.otherFields)
       if (field == name) return value;
@@ -198,7 +198,7 @@ Result<void> writeDeviceSet(const DeviceSet& set, const fs::path& file) {
     for (const double number : numbers) text += (text.empty() ? "" : " ") + textOf(number);
     return text;
   };
-  for (const NamedTransform& transform : set.transforms) {
+  for (const FrameTransform& transform : set.transforms) {
     auto node = definitions.append_child("Transform");
     node.append_attribute("From") = transform.from.c_str();
     node.append_attribute("To") = transform.to.c_str();

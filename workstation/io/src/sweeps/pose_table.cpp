@@ -268,7 +268,7 @@ class TableReader {
     if (!sequence_.frames.empty() && !(*time_s > *sequence_.frames.back().time_s))
       return badLine(line.number, say<"the time is %1 s and does not rise above the %2 s of the pose before">(
                                       numeral(textOf(*time_s)), numeral(textOf(*sequence_.frames.back().time_s))));
-    NamedTransform pose{from_, to_, glm::dmat4(1.0), PoseStatus::ok};
+    FrameTransform pose{from_, to_, glm::dmat4(1.0), PoseStatus::ok};
     if (columns_.status) {
       const auto status = statusOfWord(cells[*columns_.status]);
       if (!status)
@@ -285,7 +285,7 @@ class TableReader {
     return {};
   }
 
-  Result<void> takePose(const TableLine& line, const std::vector<std::string>& cells, NamedTransform& pose) const {
+  Result<void> takePose(const TableLine& line, const std::vector<std::string>& cells, FrameTransform& pose) const {
     const auto place_mm = numbersAt(line, cells, columns_.place);
     if (!place_mm) return passOn(place_mm.error());
     const auto rotation = numbersAt(line, cells, columns_.rotation);

@@ -17,7 +17,7 @@ using namespace detail;
 namespace fs = std::filesystem;
 
 /// Of recordings the poses say how large a pixel is, not the header's own geometry.
-constexpr std::array kSequenceFields{KnownField{"spacing", FieldTouches::geometry}};
+constexpr std::array kSequenceFields{FieldTableRow{"spacing", FieldTouches::geometry}};
 
 struct Layout {
   std::uint64_t width = 0;
@@ -46,7 +46,7 @@ Result<Layout> layoutOf(const ImageHeader& header) {
   return layout;
 }
 
-Result<void> checkFrameCount(const ImageHeader& header, const Layout& layout, const ReadLimits& limits) {
+Result<void> checkFrameCount(const ImageHeader& header, const Layout& layout, const ReaderLimits& limits) {
   std::uint64_t headerBytes = 0;
   for (const auto& [key, value] : header.fields) headerBytes += key.size() + value.size();
   // Frames without pixels exist only through their fields, so a recording of poses cannot have more frames than header bytes.
@@ -87,7 +87,7 @@ Result<void> takeTransform(const ImageHeader& header, std::string_view key, std:
     return badField(header.file, verbatim(std::string(key)), verbatim(std::string(value)), say<"16 numbers (4 x 4, row by row)">());
   std::array<double, 16> rows{};
   std::copy_n(numbers->begin(), 16, rows.begin());
-  const NamedTransform read{name.from, name.to, matrixFromRows(rows), PoseStatus::ok};
+  const FrameTransform read{name.from, name.to, matrixFromRows(rows), PoseStatus::ok};
   // Real recordings have a handful; looking each one up among the others must not become the work of a broken file.
   constexpr std::size_t most = 1000;
   if (frame.transforms.size() >= most)
@@ -95,7 +95,7 @@ Result<void> takeTransform(const ImageHeader& header, std::string_view key, std:
                    say<"%1 gives more than %2 transforms for one frame; check that the file is undamaged.">(quoted(header.file), most),
                    {{"file", header.file.string()}, {"field", std::string(key)}});
   const auto same = std::find_if(frame.transforms.begin(), frame.transforms.end(),
-                                 [&](const NamedTransform& known) { return known.from == name.from && known.to == name.to; });
+                                 [&](const FrameTransform& known) { return known.from == name.from && known.to == name.to; });
   if (same == frame.transforms.end())
     frame.transforms.push_back(read);
   else
@@ -134,7 +134,7 @@ void applyStatuses(SequenceFrame& frame, OpenFrame& open, Remarks& remarks) {
   for (auto& [joined, value] : open.statuses) {
     const auto name = splitTransformName(joined);
     const auto found = std::find_if(frame.transforms.begin(), frame.transforms.end(),
-                                    [&](const NamedTransform& known) { return known.from == name->from && known.to == name->to; });
+                                    [&](const FrameTransform& known) { return known.from == name->from && known.to == name->to; });
     if (found == frame.transforms.end()) {
       frame.otherFields.emplace_back(joined + "TransformStatus", value);  // a status without numbers: kept, but no transform
       continue;
@@ -258,7 +258,7 @@ Result<void> dropLastFrame(ImageHeader& header) {
   return {};
 }
 
-Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& file, Progress& progress, const ReadLimits& limits,
+Result<Sequence> sequenceOf(const Result<ImageHeader>& header, const fs::path& file, Progress& progress, const ReaderLimits& limits,
                             const SequenceCheck& beforePixels) {
   if (!header) return passOn(header.error());
   const std::string name = lowerCase(file.filename().string());
@@ -332,7 +332,7 @@ Result<bool> isSequence(const fs::path& file) {
   return describesSequence(*header);
 }
 
-Result<Sequence> readSequence(const fs::path& file, Progress& progress, const ReadLimits& limits, const SequenceCheck& beforePixels) {
+Result<Sequence> readSequence(const fs::path& file, Progress& progress, const ReaderLimits& limits, const SequenceCheck& beforePixels) {
   try {
     return sequenceOf(readImageHeader(file), file, progress, limits, beforePixels);
   } catch (const std::bad_alloc&) {
@@ -342,7 +342,7 @@ Result<Sequence> readSequence(const fs::path& file, Progress& progress, const Re
   }
 }
 
-Result<Sequence> readPoseSequence(const fs::path& file, Progress& progress, const ReadLimits& limits) try {
+Result<Sequence> readPoseSequence(const fs::path& file, Progress& progress, const ReaderLimits& limits) try {
   if (const auto status = checkIsFile(file); !status) return passOn(status.error());
   auto header = readMetaHeader(file, true);
   if (header && productOf(header->sizes) != std::optional<std::uint64_t>(0))

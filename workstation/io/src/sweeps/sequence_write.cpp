@@ -31,7 +31,7 @@ std::string prefixOf(std::size_t frame) {
 }
 
 Result<void> addFrame(const fs::path& file, const SequenceFrame& frame, const std::string& prefix, Fields& fields) {
-  for (const NamedTransform& transform : frame.transforms) {
+  for (const FrameTransform& transform : frame.transforms) {
     const std::string joined = transform.from + "To" + transform.to;
     const auto split = splitTransformName(joined);
     if (!split || split->from != transform.from || split->to != transform.to)

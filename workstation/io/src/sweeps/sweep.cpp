@@ -13,17 +13,17 @@ namespace ew {
 namespace {
 
 constexpr std::string_view kImage = "Image";
-constexpr std::string_view kPicture = "Picture";  ///< of an imported picture: mm from its upper left pixel
+constexpr std::string_view kImagePlane = "Picture";  ///< of an imported image: mm from its upper left pixel
 
-bool sameFrames(const NamedTransform& a, const NamedTransform& b) {
+bool sameFrames(const FrameTransform& a, const FrameTransform& b) {
   return (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
 }
 
 /// All transforms that hold for a frame: the calibration's, and the frame's own where the calibration says nothing.
-std::vector<NamedTransform> transformsOf(const SequenceFrame& frame, std::span<const NamedTransform> calibration) {
-  std::vector<NamedTransform> all(calibration.begin(), calibration.end());
-  for (const NamedTransform& own : frame.transforms)
-    if (std::none_of(calibration.begin(), calibration.end(), [&](const NamedTransform& given) { return sameFrames(given, own); })) {
+std::vector<FrameTransform> transformsOf(const SequenceFrame& frame, std::span<const FrameTransform> calibration) {
+  std::vector<FrameTransform> all(calibration.begin(), calibration.end());
+  for (const FrameTransform& own : frame.transforms)
+    if (std::none_of(calibration.begin(), calibration.end(), [&](const FrameTransform& given) { return sameFrames(given, own); })) {
       all.push_back(own);
       detail::giveThickness(all.back());
     }
@@ -31,21 +31,21 @@ std::vector<NamedTransform> transformsOf(const SequenceFrame& frame, std::span<c
 }
 
 /// The names alone: every transform counts, whatever its status and numbers are.
-std::vector<NamedTransform> namesOnly(std::span<const NamedTransform> transforms) {
-  std::vector<NamedTransform> names;
+std::vector<FrameTransform> namesOnly(std::span<const FrameTransform> transforms) {
+  std::vector<FrameTransform> names;
   std::set<std::pair<std::string_view, std::string_view>> known;
-  for (const NamedTransform& transform : transforms)
+  for (const FrameTransform& transform : transforms)
     if (known.emplace(transform.from, transform.to).second)
       names.push_back({transform.from, transform.to, glm::dmat4(1.0), PoseStatus::ok});
   return names;
 }
 
-std::vector<NamedTransform> allNames(const Sequence& sequence, std::span<const NamedTransform> calibration) {
-  std::vector<NamedTransform> names = namesOnly(calibration);
+std::vector<FrameTransform> allNames(const Sequence& sequence, std::span<const FrameTransform> calibration) {
+  std::vector<FrameTransform> names = namesOnly(calibration);
   std::set<std::pair<std::string, std::string>> known;
-  for (const NamedTransform& transform : names) known.emplace(transform.from, transform.to);
+  for (const FrameTransform& transform : names) known.emplace(transform.from, transform.to);
   for (const SequenceFrame& frame : sequence.frames)
-    for (const NamedTransform& transform : frame.transforms)
+    for (const FrameTransform& transform : frame.transforms)
       if (known.emplace(transform.from, transform.to).second)
         names.push_back({transform.from, transform.to, glm::dmat4(1.0), PoseStatus::ok});
   return names;
@@ -76,10 +76,10 @@ Message noWay(const std::vector<std::string>& reachable, const std::set<std::str
                    goal, listed(reachable), apart, advice);
 }
 
-tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTransform> names, bool calibrated, std::string_view toFrame) {
+tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const FrameTransform> names, bool calibrated, std::string_view toFrame) {
   const auto reachable = reachableFrom(names, kImage);
   std::set<std::string> others;
-  for (const NamedTransform& name : names) {
+  for (const FrameTransform& name : names) {
     others.insert(name.from);
     others.insert(name.to);
   }
@@ -87,13 +87,13 @@ tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTra
   others.erase(std::string(kImage));
   const bool tracked =
       std::any_of(sequence.frames.begin(), sequence.frames.end(), [](const SequenceFrame& frame) { return !frame.transforms.empty(); });
-  // Imported pictures know the size of a pixel and nothing else: brought "to the frame" they reach, they would all lie in one place.
+  // Imported images know the size of a pixel and nothing else: brought "to the frame" they reach, they would all lie in one place.
   const bool unplaced = tracked && std::all_of(names.begin(), names.end(),
-                                               [&](const NamedTransform& one) { return one.from == kImage && one.to == kPicture; });
+                                               [&](const FrameTransform& one) { return one.from == kImage && one.to == kImagePlane; });
   const Message goal = toFrame.empty() ? say<"Reference, Tracker or World">() : verbatim(std::string(toFrame));
   if (unplaced)
     return failure(ErrorCode::missingCalibration,
-                   say<"The pictures of this recording know the size of their pixels, but not where the probe was; say how it moved, as a "
+                   say<"The images of this recording know the size of their pixels, but not where the probe was; say how it moved, as a "
                        "motor file or a file of poses does.">(),
                    {{"from", std::string(kImage)}, {"to", goal.english()}, {"ask", "motor"}});
   Message advice;
@@ -121,7 +121,7 @@ tl::unexpected<Error> noChain(const Sequence& sequence, std::span<const NamedTra
                   {"frames", std::to_string(sequence.frames.size())}});
 }
 
-SweepPoses posesTo(const Sequence& sequence, std::span<const NamedTransform> calibration, std::string_view toFrame) {
+SweepPoses posesTo(const Sequence& sequence, std::span<const FrameTransform> calibration, std::string_view toFrame) {
   SweepPoses poses;
   poses.toFrame = toFrame;
   poses.imageToWorld.resize(sequence.frames.size());
@@ -136,9 +136,9 @@ SweepPoses posesTo(const Sequence& sequence, std::span<const NamedTransform> cal
       ++poses.invalid;
     } else {
       // A transform marked MISSING is as good as not written: what is left tells a broken chain from an absent one.
-      std::vector<NamedTransform> written;
+      std::vector<FrameTransform> written;
       std::copy_if(transforms.begin(), transforms.end(), std::back_inserter(written),
-                   [](const NamedTransform& transform) { return transform.status != PoseStatus::missing; });
+                   [](const FrameTransform& transform) { return transform.status != PoseStatus::missing; });
       ++(chain(namesOnly(written), kImage, toFrame) ? poses.invalid : poses.missing);
     }
   }
@@ -182,26 +182,26 @@ void noteTimes(const Sequence& sequence, std::vector<Message>& notes) {
                                     "Time runs backwards at %1 frames; the order in the file was kept.">(backwards));
 }
 
-void noteOverride(const Sequence& sequence, std::span<const NamedTransform> calibration, std::vector<Message>& notes) {
+void noteOverride(const Sequence& sequence, std::span<const FrameTransform> calibration, std::vector<Message>& notes) {
   std::set<std::pair<std::string, std::string>> replaced;
   for (const SequenceFrame& frame : sequence.frames)
-    for (const NamedTransform& own : frame.transforms)
-      if (std::any_of(calibration.begin(), calibration.end(), [&](const NamedTransform& given) { return sameFrames(given, own); }))
+    for (const FrameTransform& own : frame.transforms)
+      if (std::any_of(calibration.begin(), calibration.end(), [&](const FrameTransform& given) { return sameFrames(given, own); }))
         replaced.emplace(own.from, own.to);
   for (const auto& [from, to] : replaced)
     notes.push_back(say<"The recording and the device set both say %1 to %2; the device set was used.">(from, to));
 }
 
 /// The calibration's transforms, flat images given their thickness.
-std::vector<NamedTransform> givenBy(const DeviceSet* calibration, const Sequence& sequence, std::vector<Message>& notes) {
-  std::vector<NamedTransform> given;
+std::vector<FrameTransform> givenBy(const DeviceSet* calibration, const Sequence& sequence, std::vector<Message>& notes) {
+  std::vector<FrameTransform> given;
   if (calibration != nullptr) given = calibration->transforms;
   std::set<std::string> thickened;
-  for (NamedTransform& transform : given)
+  for (FrameTransform& transform : given)
     if (detail::giveThickness(transform)) thickened.insert(transform.to);
   for (const SequenceFrame& frame : sequence.frames)
-    for (const NamedTransform& own : frame.transforms)
-      if (NamedTransform copy = own; own.from == kImage && detail::giveThickness(copy)) thickened.insert(own.to);
+    for (const FrameTransform& own : frame.transforms)
+      if (FrameTransform copy = own; own.from == kImage && detail::giveThickness(copy)) thickened.insert(own.to);
   for (const std::string& to : thickened)
     notes.push_back(
         say<"The matrix of Image to %1 has 0 in its third column, as people write for flat images; it was given the thickness of a pixel.">(
@@ -209,15 +209,15 @@ std::vector<NamedTransform> givenBy(const DeviceSet* calibration, const Sequence
   return given;
 }
 
-tl::unexpected<Error> uselessMatrix(const NamedTransform& transform, Message sentence) {
+tl::unexpected<Error> uselessMatrix(const FrameTransform& transform, Message sentence) {
   return failure(ErrorCode::badField, std::move(sentence),
                  {{"field", transform.from + " to " + transform.to}, {"found", detail::problemOf(transform).english()}});
 }
 
 /// The matrix that no frame could do without and that cannot be used, where that is why none has a pose.
-std::optional<Error> matrixToBlame(const Sequence& sequence, std::span<const NamedTransform> given, std::string_view toFrame) {
-  std::vector<NamedTransform> usable;
-  for (const NamedTransform& transform : given)
+std::optional<Error> matrixToBlame(const Sequence& sequence, std::span<const FrameTransform> given, std::string_view toFrame) {
+  std::vector<FrameTransform> usable;
+  for (const FrameTransform& transform : given)
     if (detail::isUsable(transform)) usable.push_back(transform);
   if (usable.size() < given.size() && !chain(allNames(sequence, usable), kImage, toFrame)) {
     const auto blamed = std::find_if(given.begin(), given.end(), [](const auto& transform) { return !detail::isUsable(transform); });
@@ -226,10 +226,10 @@ std::optional<Error> matrixToBlame(const Sequence& sequence, std::span<const Nam
         .value();
   }
   // A tracker that says OK and writes no pose.
-  const auto useless = [](const NamedTransform& own) { return own.status == PoseStatus::ok && !detail::isUsable(own); };
-  const NamedTransform* blamed = nullptr;
+  const auto useless = [](const FrameTransform& own) { return own.status == PoseStatus::ok && !detail::isUsable(own); };
+  const FrameTransform* blamed = nullptr;
   for (const SequenceFrame& frame : sequence.frames) {
-    const auto found = std::find_if(frame.transforms.begin(), frame.transforms.end(), [&](const NamedTransform& own) {
+    const auto found = std::find_if(frame.transforms.begin(), frame.transforms.end(), [&](const FrameTransform& own) {
       return useless(own) && (blamed == nullptr || sameFrames(own, *blamed));
     });
     if (found == frame.transforms.end()) return std::nullopt;
@@ -246,7 +246,7 @@ std::optional<Error> matrixToBlame(const Sequence& sequence, std::span<const Nam
 
 Result<SweepPoses> sweepPoses(const Sequence& sequence, const DeviceSet* calibration, std::string_view toFrame) {
   std::vector<Message> thickness;
-  const std::vector<NamedTransform> given = givenBy(calibration, sequence, thickness);
+  const std::vector<FrameTransform> given = givenBy(calibration, sequence, thickness);
   const auto names = allNames(sequence, given);
   constexpr std::array<std::string_view, 3> usual{"Reference", "Tracker", "World"};
   const std::span<const std::string_view> wanted = toFrame.empty() ? std::span<const std::string_view>(usual) : std::span(&toFrame, 1);

@@ -39,12 +39,12 @@ std::optional<bool> parseBool(std::string_view text) {
 
 /// What a MetaImage header can say beside what is read of it. Lines of a recording and of other programs are kept and not judged here.
 constexpr std::array kMetaFields{
-    KnownField{"DistanceUnits", FieldTouches::geometry},
-    KnownField{"AnatomicalOrientation", FieldTouches::geometry},
-    KnownField{"ElementToIntensityFunctionSlope", FieldTouches::levels},
-    KnownField{"ElementToIntensityFunctionOffset", FieldTouches::levels},
-    KnownField{"ElementMin", FieldTouches::nothing},
-    KnownField{"ElementMax", FieldTouches::nothing},
+    FieldTableRow{"DistanceUnits", FieldTouches::geometry},
+    FieldTableRow{"AnatomicalOrientation", FieldTouches::geometry},
+    FieldTableRow{"ElementToIntensityFunctionSlope", FieldTouches::levels},
+    FieldTableRow{"ElementToIntensityFunctionOffset", FieldTouches::levels},
+    FieldTableRow{"ElementMin", FieldTouches::nothing},
+    FieldTableRow{"ElementMax", FieldTouches::nothing},
 };
 
 /// The header while its lines are read: what is known so far in raw form, because NDims may come after what needs it.
@@ -116,7 +116,7 @@ Result<void> take(MetaDraft& draft, const std::string& key, const std::string& v
     draft.offset = value;
   } else if (key == "TransformMatrix" || key == "Rotation" || key == "Orientation") {
     draft.matrix = value;
-  } else if (std::any_of(kMetaFields.begin(), kMetaFields.end(), [&](const KnownField& known) { return known.name == key; })) {
+  } else if (std::any_of(kMetaFields.begin(), kMetaFields.end(), [&](const FieldTableRow& known) { return known.name == key; })) {
     draft.fields.meet(key, value);
   } else if (key == "Kinds") {
     header.kinds = wordsOf(value);

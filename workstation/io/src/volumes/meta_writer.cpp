@@ -11,7 +11,7 @@
 #include "ew/io/safe_file.h"
 #include "files/grey_samples.h"
 #include "files/image_header.h"
-#include "files/staged_file.h"
+#include "files/staging_file.h"
 
 namespace ew::detail {
 namespace {

@@ -302,7 +302,7 @@ Result<void> takeGeometry(const Nifti& nifti, ImageHeader& header) {
   return {};
 }
 
-constexpr std::array kNiftiFields{KnownField{"cal_min cal_max", FieldTouches::levels}, KnownField{"toffset", FieldTouches::time}};
+constexpr std::array kNiftiFields{FieldTableRow{"cal_min cal_max", FieldTouches::levels}, FieldTableRow{"toffset", FieldTouches::time}};
 
 /// The fifth axis holds the components of a vector or the like (the sixth and seventh what the file likes): no steps of time.
 Result<void> checkComponents(const Nifti& nifti, const ImageHeader& header) {

@@ -94,11 +94,11 @@ std::string unescaped(std::string_view text) {
 
 /// What a NRRD header can say beside what is read of it.
 constexpr std::array kNrrdFields{
-    KnownField{"space units", FieldTouches::geometry}, KnownField{"units", FieldTouches::geometry},
-    KnownField{"axis mins", FieldTouches::geometry},   KnownField{"axis maxs", FieldTouches::geometry},
-    KnownField{"thicknesses", FieldTouches::geometry}, KnownField{"old min", FieldTouches::levels},
-    KnownField{"old max", FieldTouches::levels},       KnownField{"min", FieldTouches::levels},
-    KnownField{"max", FieldTouches::levels},
+    FieldTableRow{"space units", FieldTouches::geometry}, FieldTableRow{"units", FieldTouches::geometry},
+    FieldTableRow{"axis mins", FieldTouches::geometry},   FieldTableRow{"axis maxs", FieldTouches::geometry},
+    FieldTableRow{"thicknesses", FieldTouches::geometry}, FieldTableRow{"old min", FieldTouches::levels},
+    FieldTableRow{"old max", FieldTouches::levels},       FieldTableRow{"min", FieldTouches::levels},
+    FieldTableRow{"max", FieldTouches::levels},
 };
 
 struct NrrdDraft {
@@ -457,7 +457,7 @@ Result<void> takeGeometry(NrrdDraft& draft, const std::optional<std::vector<Axis
       given[axis] = true;
     }
     noteSizes(draft, spatial, channelAxes, given);
-    // An axis without a direction (frames, or the missing third one of a picture) stands upright on the other two.
+    // An axis without a direction (frames, or the missing third one of an image) stands upright on the other two.
     if (given[0] && given[1] && !given[2]) {
       const glm::dvec3 upright = glm::cross(header.geometry.directions[0], header.geometry.directions[1]);
       if (glm::length(upright) > 1e-6) header.geometry.directions[2] = glm::normalize(upright);

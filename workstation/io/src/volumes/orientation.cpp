@@ -115,7 +115,7 @@ Orientation orientationOfExif(ExifBytes tiff) {
   return {};
 }
 
-Orientation orientationOfPicture(ExifBytes file) {
+Orientation orientationOfImage(ExifBytes file) {
   using namespace std::string_view_literals;
   if (hasTextAt(file, 0, "\xFF\xD8"sv)) return orientationOfJpeg(file);
   if (hasTextAt(file, 0, "\x89PNG\r\n\x1A\n"sv)) return orientationOfPng(file);

@@ -148,10 +148,10 @@ std::string textOf(const RawLayout& layout) {
   return text;
 }
 
-Result<LoadedVolume> readRawVolume(const fs::path& file, const RawLayout& layout, Progress& progress, const ReadLimits& limits) {
+Result<VolumeReadResult> readRawVolume(const fs::path& file, const RawLayout& layout, Progress& progress, const ReaderLimits& limits) {
   const auto header = headerOf(file, layout);
   if (!header) return passOn(header.error());
-  LoadedVolume loaded;
+  VolumeReadResult loaded;
   const auto extent = volumeExtentOf(*header, loaded.notes);
   if (!extent) return passOn(extent.error());
   auto echo = readGrey(*header, {.pixels = extent->voxels, .promised = extent->promised, .what = say<"Reading voxels">()}, limits, progress,
@@ -203,15 +203,15 @@ std::vector<RawLayout> guessRawLayouts(std::uint64_t fileBytes, std::size_t most
 Result<RawPreview> previewRawVolume(const fs::path& file, const RawLayout& layout, Progress& progress) {
   RawLayout spaced = layout;
   for (int axis = 0; axis < 3; ++axis)
-    if (!(spaced.spacing_mm[axis] > 0.0)) spaced.spacing_mm[axis] = 1.0;  // the pictures do not depend on it
+    if (!(spaced.spacing_mm[axis] > 0.0)) spaced.spacing_mm[axis] = 1.0;  // the images do not depend on it
   const auto header = headerOf(file, spaced);
   if (!header) return passOn(header.error());
   const std::uint64_t x = header->sizes[0], y = header->sizes[1], z = header->sizes[2], size = bytesOf(layout.type);
   const auto samples = productOf(header->sizes);
   std::error_code ec;
   const std::uint64_t bytes = fs::file_size(file, ec);
-  const std::array<std::uint64_t, 3> pictures{x * y, x * z, y * z};
-  if (*std::max_element(pictures.begin(), pictures.end()) > (64u << 20))
+  const std::array<std::uint64_t, 3> images{x * y, x * z, y * z};
+  if (*std::max_element(images.begin(), images.end()) > (64u << 20))
     return failure(ErrorCode::tooLarge,
                    say<"Slices of %1 samples are too large for a preview; check the dimensions.">(sizesText(header->sizes)));
   if (ec || !samples || *samples > bytes / size || layout.offset > bytes - *samples * size)
@@ -222,7 +222,7 @@ Result<RawPreview> previewRawVolume(const fs::path& file, const RawLayout& layou
   std::ifstream in(file, std::ios::binary);
   std::vector<std::uint8_t> row(x * size);
   std::array<std::vector<double>, 3> values;
-  for (std::size_t n = 0; n < 3; ++n) values[n].reserve(pictures[n]);
+  for (std::size_t n = 0; n < 3; ++n) values[n].reserve(images[n]);
   const auto readRow = [&](std::uint64_t j, std::uint64_t k) {
     in.seekg(static_cast<std::streamoff>(layout.offset + (k * y + j) * x * size));
     return static_cast<bool>(in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(row.size())));
@@ -250,18 +250,18 @@ Result<RawPreview> previewRawVolume(const fs::path& file, const RawLayout& layou
     }
   }
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for (const auto& picture : values)
-    for (const double one : picture)
+  for (const auto& image : values)
+    for (const double one : image)
       if (std::isfinite(one)) {
         lowest = std::min(lowest, one);
         highest = std::max(highest, one);
       }
   if (layout.type == RawType::u8) lowest = 0.0, highest = 255.0;
-  const auto grey = [&](const std::vector<double>& picture) {
+  const auto grey = [&](const std::vector<double>& image) {
     std::vector<std::uint8_t> levels;
-    levels.reserve(picture.size());
+    levels.reserve(image.size());
     const double width = highest * 0.5 - lowest * 0.5;
-    for (const double one : picture) {
+    for (const double one : image) {
       const double share = std::isfinite(one) && width > 0.0 ? (one * 0.5 - lowest * 0.5) / width : 0.0;
       levels.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0))));
     }

@@ -50,7 +50,7 @@ Result<void> writeVectorField(const Grid& grid, int components, const fs::path& 
   return writeMetaStream(file, text, more, progress);
 }
 
-Result<VectorField> readVectorField(const fs::path& file, const ReadLimits& limits) try {
+Result<VectorField> readVectorField(const fs::path& file, const ReaderLimits& limits) try {
   auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
   if (header->type != SampleType::f32 && header->type != SampleType::f64)

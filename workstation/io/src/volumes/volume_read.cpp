@@ -39,10 +39,11 @@ Result<void> skipTo(std::uint64_t timeStep, ImageHeader& header, VolumeExtent& e
 
 }  // namespace
 
-Result<LoadedVolume> readVolume(const fs::path& file, Progress& progress, const ReadLimits& limits, const VolumeReadOptions& options) {
+Result<VolumeReadResult> readVolume(const fs::path& file, Progress& progress, const ReaderLimits& limits,
+                                    const VolumeReadOptions& options) {
   auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
-  LoadedVolume loaded;
+  VolumeReadResult loaded;
   loaded.notes = header->notes;
   auto extent = volumeExtentOf(*header, loaded.notes);
   if (!extent) return passOn(extent.error());
@@ -59,7 +60,7 @@ Result<LoadedVolume> readVolume(const fs::path& file, Progress& progress, const 
   return loaded;
 }
 
-Result<LoadedVolume> readLabelVolume(const fs::path& file, Progress& progress, const ReadLimits& limits) {
+Result<VolumeReadResult> readLabelVolume(const fs::path& file, Progress& progress, const ReaderLimits& limits) {
   const auto header = readImageHeader(file);
   if (!header) return passOn(header.error());
   const bool rescaled = header->slope != 1.0 || header->intercept != 0.0;

@@ -12,7 +12,7 @@
 #include "ew/core/contract.h"
 #include "ew/core/file_errors.h"
 #include "files/image_header.h"
-#include "files/staged_file.h"
+#include "files/staging_file.h"
 #include "volumes/meta_writer.h"
 
 namespace ew {
@@ -27,14 +27,14 @@ struct VolumeStream::Parts {
 
   Grid grid;
   fs::path target;
-  detail::StagedFile staged;
+  detail::StagingFile staged;
   int descriptor = -1;
   std::uint8_t* mapped = nullptr;
   std::size_t bytes = 0;   ///< of the file
   std::size_t offset = 0;  ///< of the first voxel
   std::uint64_t put_bytes = 0;
 
-  Parts(const Grid& g, const fs::path& file, detail::StagedFile made) : grid(g), target(file), staged(std::move(made)) {}
+  Parts(const Grid& g, const fs::path& file, detail::StagingFile made) : grid(g), target(file), staged(std::move(made)) {}
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
   ~Parts() {
@@ -55,7 +55,7 @@ Result<VolumeStream> VolumeStream::create(const Grid& grid, const fs::path& file
   if (detail::lowerCase(file.extension().string()) != ".mha")
     return failure(ErrorCode::unsupported, say<"%1 cannot be written in blocks; end its name in .mha.">(detail::quoted(file)),
                    {{"file", file.string()}});
-  auto staged = detail::StagedFile::create(file);
+  auto staged = detail::StagingFile::create(file);
   if (!staged) return passOn(staged.error());
   auto parts = std::make_unique<Parts>(grid, file, std::move(*staged));
   const std::string header = detail::plainVolumeHeader(grid);

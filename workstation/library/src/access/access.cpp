@@ -6,7 +6,7 @@
 #include "ew/io/private_file.h"
 #include "ew/library/case_start.h"
 #include "ew/library/instructor_log.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/lesson.h"
 
 namespace ew {

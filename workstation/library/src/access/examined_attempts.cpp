@@ -35,15 +35,15 @@ std::string sealedAnswersOf(const Attempt& attempt) {
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-TriedAs triedAs(const Attempt& attempt) {
+TrialIdentity triedAs(const Attempt& attempt) {
   const auto text = [](const json& fields, const char* name) {
     const auto found = fields.find(name);
     return found != fields.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
   const auto examined = attempt.otherFields.is_object() ? attempt.otherFields.find(kExaminedField) : attempt.otherFields.end();
-  TriedAs tried;
+  TrialIdentity tried;
   if (examined != attempt.otherFields.end() && examined->is_object()) tried = {text(*examined, "case"), text(*examined, "lesson")};
-  return tried.caseId.empty() || tried.lessonId.empty() ? TriedAs{attempt.caseId, attempt.lessonId} : tried;
+  return tried.caseId.empty() || tried.lessonId.empty() ? TrialIdentity{attempt.caseId, attempt.lessonId} : tried;
 }
 
 Attempt withSealedAnswers(Attempt attempt, const std::string& sha256) {
@@ -51,7 +51,7 @@ Attempt withSealedAnswers(Attempt attempt, const std::string& sha256) {
   return attempt;
 }
 
-Result<Attempt> asAttemptAtTheCase(const Attempt& attempt, const OpenedExamination& opened) {
+Result<Attempt> asAttemptAtTheCase(const Attempt& attempt, const OpenExamination& opened) {
   const auto refuse = [&](Message sentence) { return failure(ErrorCode::badField, std::move(sentence), {{"attempt", attempt.id}}); };
   if (attempt.caseId != opened.examinationId)
     return refuse(say<"The attempt '%1' is at '%2' and not at the examination '%3'; judge it with its own.">(attempt.id, attempt.caseId,
@@ -81,9 +81,8 @@ Result<Attempt> asAttemptAtTheCase(const Attempt& attempt, const OpenedExaminati
   return made;
 }
 
-Result<fs::path> takeExamined(const fs::path& attemptFolder, const OpenedExamination& opened, const fs::path& attempts,
-                              Progress& progress) {
-  const auto kept = KeptAttempt::open(attemptFolder);
+Result<fs::path> takeExamined(const fs::path& attemptFolder, const OpenExamination& opened, const fs::path& attempts, Progress& progress) {
+  const auto kept = AttemptFolder::open(attemptFolder);
   if (!kept) return passOn(kept.error());
   const auto made = asAttemptAtTheCase(kept->attempt(), opened);
   if (!made) return passOn(made.error());
@@ -91,13 +90,13 @@ Result<fs::path> takeExamined(const fs::path& attemptFolder, const OpenedExamina
   if (fs::exists(attempts / made->id, ignored))
     return failure(ErrorCode::notWritable, say<"The attempt '%1' is there twice; give each folder once.">(made->id),
                    {{"attempt", made->id}});
-  const auto copy = KeptAttempt::begin(attempts, *made);
+  const auto copy = AttemptFolder::begin(attempts, *made);
   if (!copy) return passOn(copy.error());
   ByteCount count(say<"Copying the attempts">(), 0, progress);
   for (const StepOutcome& outcome : made->outcomes) {
     if (auto copied = copyNamed(attemptFolder, copy->folder(), outcome.recording, count); !copied) return passOn(copied.error());
-    for (const std::string& picture : outcome.pictures)
-      if (auto copied = copyNamed(attemptFolder, copy->folder(), picture, count); !copied) return passOn(copied.error());
+    for (const std::string& image : outcome.images)
+      if (auto copied = copyNamed(attemptFolder, copy->folder(), image, count); !copied) return passOn(copied.error());
   }
   if (auto closed = closeToOthers(copy->folder()); !closed) return passOn(closed.error());
   return copy->folder();

@@ -37,7 +37,7 @@ std::string checksumOf(const PublicKey& key) {
 }
 
 /// What of instructor.key is read before a passphrase is asked for.
-struct KeptKey {
+struct KeyFileContent {
   PublicKey key;
   PassphraseCost cost;
   std::array<std::uint8_t, crypto_pwhash_SALTBYTES> salt{};
@@ -51,7 +51,7 @@ void bytesIn(const JsonFields& fields, std::string_view name, std::array<std::ui
   if (fields.good() && !fromBase64(text, bytes)) fields.refuse(name, say<"%1 bytes in base64">(N));
 }
 
-Result<KeptKey> readKept(const fs::path& file) {
+Result<KeyFileContent> readKept(const fs::path& file) {
   if (auto ready = readySodium(); !ready) return passOn(ready.error());
   const auto text = readPrivateFile(file, 64u << 10);
   if (!text) return passOn(text.error());
@@ -66,7 +66,7 @@ Result<KeptKey> readKept(const fs::path& file) {
                    say<"%1 has format %2, and this program reads formats up to %3; open it with a newer EchoWeave.">(
                        file.filename().string(), format, kInstructorKeyFormat),
                    {{"file", file.string()}});
-  KeptKey kept;
+  KeyFileContent kept;
   const auto key = publicKeyOf(fields.text("public"));
   kept.cost.passes = static_cast<std::uint64_t>(fields.whole("passes", 1, kMostPasses));
   kept.cost.memory_bytes = static_cast<std::uint64_t>(fields.whole("memory_bytes", 8192, kMostMemory_bytes));
@@ -80,12 +80,12 @@ Result<KeptKey> readKept(const fs::path& file) {
 }
 
 /// The key that a passphrase stands for.
-class StretchedKey {
+class PassphraseKey {
  public:
-  StretchedKey() = default;
-  ~StretchedKey() { ::sodium_memzero(bytes_.data(), bytes_.size()); }
-  StretchedKey(const StretchedKey&) = delete;
-  StretchedKey& operator=(const StretchedKey&) = delete;
+  PassphraseKey() = default;
+  ~PassphraseKey() { ::sodium_memzero(bytes_.data(), bytes_.size()); }
+  PassphraseKey(const PassphraseKey&) = delete;
+  PassphraseKey& operator=(const PassphraseKey&) = delete;
   Result<void> make(const Passphrase& passphrase, const std::uint8_t* salt, const PassphraseCost& cost) {
     const auto words = passphrase.words();
     if (::crypto_pwhash(bytes_.data(), bytes_.size(), words.data(), words.size(), salt, cost.passes, cost.memory_bytes,
@@ -201,10 +201,10 @@ Result<void> keepSecretKey(const SecretKey& key, const Passphrase& passphrase, c
             "away first.">(file),
         {{"file", file.string()}});
   if (auto made = makePrivateFolder(file.parent_path()); !made) return made;
-  KeptKey kept;
+  KeyFileContent kept;
   ::randombytes_buf(kept.salt.data(), kept.salt.size());
   ::randombytes_buf(kept.nonce.data(), kept.nonce.size());
-  StretchedKey stretched;
+  PassphraseKey stretched;
   if (auto good = stretched.make(passphrase, kept.salt.data(), cost); !good) return good;
   ::crypto_secretbox_easy(kept.box.data(), key.bytes(), kSecretKey_bytes, kept.nonce.data(), stretched.get());
   const json document = {{"format", kInstructorKeyFormat},    {"public", textOf(key.publicKey())}, {"passes", cost.passes},
@@ -222,7 +222,7 @@ Result<PublicKey> publicKeyKeptIn(const fs::path& file) {
 Result<SecretKey> openSecretKey(const fs::path& file, const Passphrase& passphrase) {
   const auto kept = readKept(file);
   if (!kept) return passOn(kept.error());
-  StretchedKey stretched;
+  PassphraseKey stretched;
   if (auto good = stretched.make(passphrase, kept->salt.data(), kept->cost); !good) return passOn(good.error());
   std::array<std::uint8_t, kSecretKey_bytes> bytes{};
   const bool opened =

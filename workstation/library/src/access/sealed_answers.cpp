@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "access/seal_index.h"
 #include "access/sealed_file.h"
-#include "access/sealed_index.h"
 #include "access/trainee_view.h"
 #include "case/echo_files.h"
 #include "case/frame_files.h"
-#include "case/handed_on.h"
 #include "case/manifest.h"
+#include "case/outgoing_case.h"
 #include "case/revisions.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/output_set.h"
@@ -21,7 +21,7 @@
 #include "ew/library/content_name.h"
 #include "ew/library/lesson_links.h"
 #include "ew/library/new_case.h"
-#include "ew/library/plain_picture.h"
+#include "ew/library/plain_image.h"
 #include "files/guarded_case.h"
 
 namespace ew {
@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::size_t kLargestPicture_bytes = 64u << 20;
+constexpr std::size_t kLargestImage_bytes = 64u << 20;
 
 /// Everything trainees may read, as one sum; what case.json says of answers.sealed is left out, for that is made afterwards.
 Result<std::string> sumOfView(const fs::path& folder, Progress& progress) {
@@ -55,15 +55,15 @@ std::string randomId() {
   return id;
 }
 
-/// A picture without what is written in it, under a name that says nothing.
-Result<std::string> addPicture(const fs::path& file, const fs::path& root, std::size_t number) {
-  const auto bytes = readTextFile(file, kLargestPicture_bytes);
+/// An image without what is written in it, under a name that says nothing.
+Result<std::string> addImage(const fs::path& file, const fs::path& root, std::size_t number) {
+  const auto bytes = readTextFile(file, kLargestImage_bytes);
   if (!bytes) return passOn(bytes.error());
   std::string ending;
-  const auto plain = plainPicture(*bytes, ending);
+  const auto plain = plainImage(*bytes, ending);
   if (!plain) {
     Error problem = plain.error();
-    problem.message = say<"The picture \"%1\": %2">(file, std::move(problem.message));
+    problem.message = say<"The image \"%1\": %2">(file, std::move(problem.message));
     return passOn(std::move(problem));
   }
   const std::string name = "media/picture-" + std::to_string(number) + ending;
@@ -83,7 +83,7 @@ class Making {
     PartOfProgress volume(progress, 0.0, 0.7), summing(progress, 0.7, 0.8), sealing(progress, 0.8, 1.0);
     if (auto made = takeFields(); !made) return passOn(made.error());
     if (auto made = takeVolume(volume); !made) return passOn(made.error());
-    if (auto made = takePictures(); !made) return passOn(made.error());
+    if (auto made = takeImages(); !made) return passOn(made.error());
     if (auto made = takeWords(); !made) return passOn(made.error());
     view_.otherFields["parts"][std::string(kLessonsPart)] = jsonOf(lessons_.lessons);
     if (auto sealed = seal(summing, sealing); !sealed) return passOn(sealed.error());
@@ -141,7 +141,7 @@ class Making {
     for (SequenceFrame& each : images->frames) {
       each.time_s.reset();
       each.otherFields.clear();
-      for (NamedTransform& place : each.transforms) place.matrix = own.volume.fileToWorld.matrix * place.matrix;
+      for (FrameTransform& place : each.transforms) place.matrix = own.volume.fileToWorld.matrix * place.matrix;
     }
     auto added = addSequence(*images, aside_, noProgress());
     if (!added) return passOn(added.error());
@@ -156,28 +156,28 @@ class Making {
     return {};
   }
 
-  Result<void> takePictures() {
+  Result<void> takeImages() {
     std::size_t number = 0;
     for (std::size_t n = 0; n < view_.previousExaminations.size(); ++n)
-      for (const std::string& picture : from_.opened.previousExaminations[n].pictures) {
-        const auto file = fileOfCase(from_.opened.folder, picture, "previous_examinations");
+      for (const std::string& image : from_.opened.previousExaminations[n].images) {
+        const auto file = fileOfCase(from_.opened.folder, image, "previous_examinations");
         if (!file) return passOn(file.error());
-        auto added = addPicture(*file, aside_, ++number);
+        auto added = addImage(*file, aside_, ++number);
         if (!added) return passOn(added.error());
-        view_.previousExaminations[n].pictures.push_back(std::move(*added));
+        view_.previousExaminations[n].images.push_back(std::move(*added));
       }
     const std::string part = "parts/" + std::string(kLessonsPart);
     std::map<std::string, std::string> names;
-    for (const std::string& picture : lessons_.pictures) {
-      const auto file = fileOfCase(from_.opened.folder, part + "/" + picture, "parts.lessons");
+    for (const std::string& image : lessons_.images) {
+      const auto file = fileOfCase(from_.opened.folder, part + "/" + image, "parts.lessons");
       if (!file) return passOn(file.error());
-      auto added = addPicture(*file, aside_ / part, names.size() + 1);
+      auto added = addImage(*file, aside_ / part, names.size() + 1);
       if (!added) return passOn(added.error());
-      names[picture] = std::move(*added);
+      names[image] = std::move(*added);
     }
     for (Lesson& lesson : lessons_.lessons)
       for (LessonStep& step : lesson.steps)
-        if (auto* read = std::get_if<ReadTask>(&step.task); read != nullptr && !read->picture.empty()) read->picture = names[read->picture];
+        if (auto* read = std::get_if<ReadingTask>(&step.task); read != nullptr && !read->image.empty()) read->image = names[read->image];
     return {};
   }
 
@@ -198,7 +198,7 @@ class Making {
   }
 
   Result<void> seal(Progress& summing, Progress& sealing) {
-    view_.sealed = SealedReference{.file = kSealedName, .sha256 = std::string(64, '0')};
+    view_.sealed = SealReference{.file = kSealedName, .sha256 = std::string(64, '0')};
     // Its file has to be there for the case to be one; it is replaced at once.
     if (auto written = writeFileSafely(aside_ / kSealedName, std::string_view("")); !written) return written;
     if (auto saved = saveCase(view_, aside_); !saved) return saved;
@@ -206,7 +206,7 @@ class Making {
     if (!view) return passOn(view.error());
     const auto there = sumsOfCase(aside_);
     if (!there) return passOn(there.error());
-    const SealedIndex index = indexOf(from_, view_.id, lessons_, *there);
+    const SealIndex index = indexOf(from_, view_.id, lessons_, *there);
     std::error_code ignored;
     fs::remove(aside_ / kSealedName, ignored);
     ByteCount count(say<"Sealing the answers">(), bytesToSeal(index), sealing);
@@ -282,9 +282,9 @@ Result<Examination> makeExamination(const fs::path& caseFolder, const fs::path& 
   });
 }
 
-Result<OpenedExamination> openExamination(const fs::path& examinationFolder, const SecretKey& key, const fs::path& folder,
-                                          Progress& progress) {
-  return guardedCase(examinationFolder, [&]() -> Result<OpenedExamination> {
+Result<OpenExamination> openExamination(const fs::path& examinationFolder, const SecretKey& key, const fs::path& folder,
+                                        Progress& progress) {
+  return guardedCase(examinationFolder, [&]() -> Result<OpenExamination> {
     PartOfProgress checking(progress, 0.0, 0.3), opening(progress, 0.3, 1.0);
     const auto examination = checkedExamination(examinationFolder, checking);
     if (!examination) return passOn(examination.error());
@@ -292,14 +292,14 @@ Result<OpenedExamination> openExamination(const fs::path& examinationFolder, con
     if (auto announced = outputs.announceNewFolder(folder); !announced) return passOn(announced.error());
     std::error_code ignored;
     ByteCount count(say<"Opening the sealed answers">(), fs::file_size(examination->folder / kSealedName, ignored), opening);
-    SealedContent content(examination->folder, outputs.staged(folder), count);
+    ContentUnpacker content(examination->folder, outputs.staged(folder), count);
     auto read = openSealedFile(examination->folder / kSealedName, key, count, [&](auto piece) { return content.take(piece); });
     if (read) read = content.finish();
     if (!read) return passOn(outputs.inGivenNames(read.error()));
     if (const auto whole = loadCase(outputs.staged(folder)); !whole) return passOn(outputs.inGivenNames(whole.error()));
     if (auto committed = outputs.commit(); !committed) return passOn(committed.error());
-    const SealedIndex& index = content.index();
-    return OpenedExamination{folder, index.caseId, examination->id, examination->sealed->sha256, index.lessons};
+    const SealIndex& index = content.index();
+    return OpenExamination{folder, index.caseId, examination->id, examination->sealed->sha256, index.lessons};
   });
 }
 

@@ -26,12 +26,12 @@ using StreamKey = std::array<std::uint8_t, kStreamKey_bytes>;
 using SealedBox = std::array<std::uint8_t, kStreamKey_bytes + crypto_box_SEALBYTES>;
 using PrefixSum = std::array<std::uint8_t, crypto_generichash_BYTES>;
 
-class WipedKey {
+class KeyBuffer {
  public:
-  WipedKey() = default;
-  ~WipedKey() { ::sodium_memzero(bytes.data(), bytes.size()); }
-  WipedKey(const WipedKey&) = delete;
-  WipedKey& operator=(const WipedKey&) = delete;
+  KeyBuffer() = default;
+  ~KeyBuffer() { ::sodium_memzero(bytes.data(), bytes.size()); }
+  KeyBuffer(const KeyBuffer&) = delete;
+  KeyBuffer& operator=(const KeyBuffer&) = delete;
   StreamKey bytes{};
 };
 
@@ -104,13 +104,13 @@ class StreamWriter {
   std::vector<std::byte> held_;
 };
 
-struct OpenedHeader {
-  SealedHeader header;
+struct SealFileHead {
+  SealHeader header;
   std::string before;  ///< the bytes before the stream
   std::vector<SealedBox> boxes;
 };
 
-Result<OpenedHeader> headerIn(std::ifstream& in, const fs::path& file) {
+Result<SealFileHead> headerIn(std::ifstream& in, const fs::path& file) {
   if (auto ready = readySodium(); !ready) return passOn(ready.error());
   std::string begin(kMagic.size() + 8, '\0');
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
@@ -131,7 +131,7 @@ Result<OpenedHeader> headerIn(std::ifstream& in, const fs::path& file) {
   if (!document) return passOn(document.error());
   JsonReading reading(where);
   const JsonFields fields(*document, reading);
-  OpenedHeader opened;
+  SealFileHead opened;
   opened.before = begin + text;
   opened.header.caseId = fields.text("case", {}, 1, 100);
   opened.header.view = fields.text("view", {}, 64, 64);
@@ -155,13 +155,13 @@ Result<std::ifstream> streamOf(const fs::path& file) {
   return in;
 }
 
-bool openSlot(const OpenedHeader& opened, const SecretKey& key, StreamKey& streamKey) {
+bool openSlot(const SealFileHead& opened, const SecretKey& key, StreamKey& streamKey) {
   for (const SealedBox& box : opened.boxes)
     if (::crypto_box_seal_open(streamKey.data(), box.data(), box.size(), key.publicKey().bytes.data(), key.bytes()) == 0) return true;
   return false;
 }
 
-Result<void> pullPieces(std::ifstream& in, const fs::path& file, const OpenedHeader& opened, const StreamKey& key, ByteCount& count,
+Result<void> pullPieces(std::ifstream& in, const fs::path& file, const SealFileHead& opened, const StreamKey& key, ByteCount& count,
                         const TakePiece& take) {
   crypto_secretstream_xchacha20poly1305_state state{};
   std::array<std::uint8_t, crypto_secretstream_xchacha20poly1305_HEADERBYTES> header{};
@@ -194,7 +194,7 @@ Result<void> sealFile(const fs::path& file, const std::string& caseId, const std
     return failure(ErrorCode::badUsage,
                    say<"Say for whom the answers are sealed, with 1 to %1 public keys; without one nobody could judge the examination.">(
                        kMostInstructors));
-  WipedKey key;
+  KeyBuffer key;
   ::crypto_secretstream_xchacha20poly1305_keygen(key.bytes.data());
   json slots = json::array();
   for (const PublicKey& each : instructors) {
@@ -216,7 +216,7 @@ Result<void> sealFile(const fs::path& file, const std::string& caseId, const std
   return out->finish();
 }
 
-Result<SealedHeader> readSealedFileHeader(const fs::path& file) {
+Result<SealHeader> readSealedFileHeader(const fs::path& file) {
   auto in = streamOf(file);
   if (!in) return passOn(in.error());
   auto opened = headerIn(*in, file);
@@ -229,7 +229,7 @@ Result<void> openSealedFile(const fs::path& file, const SecretKey& key, ByteCoun
   if (!in) return passOn(in.error());
   const auto opened = headerIn(*in, file);
   if (!opened) return passOn(opened.error());
-  WipedKey streamKey;
+  KeyBuffer streamKey;
   if (!openSlot(*opened, key, streamKey.bytes)) {
     std::string names;
     for (const std::string& each : opened->header.forWhom) names += (names.empty() ? "" : ", ") + each;

@@ -23,14 +23,14 @@ namespace ew {
                                     const std::vector<PublicKey>& instructors, const std::function<Result<void>(const TakePiece&)>& write);
 
 /// What the file says without a key.
-struct SealedHeader {
+struct SealHeader {
   std::string caseId;  ///< of the examination
   std::string view;    ///< SHA-256 over everything that trainees may read, so that neither goes with another revision's other half
   std::vector<std::string> forWhom;  ///< short names of the keys that open it
-  bool operator==(const SealedHeader&) const = default;
+  bool operator==(const SealHeader&) const = default;
 };
 /// @error notFound, notReadable, badHeader, badField, newerFormat
-[[nodiscard]] Result<SealedHeader> readSealedFileHeader(const std::filesystem::path& file);
+[[nodiscard]] Result<SealHeader> readSealedFileHeader(const std::filesystem::path& file);
 
 /// Reads the file to its end. What `take` gets has been checked piece by piece, and that nothing is missing only when this returns.
 /// @error as readSealedFileHeader; badUsage (another's key), badField (changed), cancelled, of `take`

@@ -20,11 +20,11 @@ CaseLaboratory plain(const CaseLaboratory& original) { return {original.when, or
 
 /// Whether a step asks for something; an expert's scan and a text do not.
 bool asksFor(const LessonStep& step) {
-  return !std::holds_alternative<ReadTask>(step.task) && !std::holds_alternative<WatchTask>(step.task);
+  return !std::holds_alternative<ReadingTask>(step.task) && !std::holds_alternative<WatchTask>(step.task);
 }
 
 struct PlainTask {
-  LessonTask operator()(const ReadTask& task) const { return ReadTask{task.picture}; }
+  LessonTask operator()(const ReadingTask& task) const { return ReadingTask{task.image}; }
   LessonTask operator()(const WatchTask&) const { return WatchTask{}; }
   LessonTask operator()(const PlaneTask&) const { return PlaneTask{}; }
   LessonTask operator()(const SweepTask&) const { return SweepTask{}; }
@@ -117,8 +117,7 @@ Result<LessonsView> traineeView(const std::vector<Lesson>& lessons) {
       hasAsked = hasAsked || asks;
       made.steps.push_back(plain(step, "step-" + std::to_string(&step - lesson.steps.data() + 1)));
       view.originalSteps[made.id][made.steps.back().id] = step.id;
-      if (const auto* read = std::get_if<ReadTask>(&step.task); read != nullptr && !read->picture.empty())
-        view.pictures.insert(read->picture);
+      if (const auto* read = std::get_if<ReadingTask>(&step.task); read != nullptr && !read->image.empty()) view.images.insert(read->image);
     }
     if (!hasAsked) continue;
     asksAnything = true;
@@ -174,7 +173,7 @@ namespace {
 constexpr std::size_t kKinds = 256;  // of a map, 0 is none
 using Kinds = std::bitset<kKinds>;
 
-/// Everything that a picture knows of a surface.
+/// Everything that an image knows of a surface.
 auto propertiesOf(const ReflectingSurface& surface) {
   return std::tuple(surface.echoLevel, surface.thickness_mm, surface.fall_deg, surface.rough_db, surface.roughFall_deg, surface.sheets,
                     surface.sheetGap_mm, surface.frontOnly);

@@ -69,10 +69,10 @@ void checkNamed(const Find& find, const Case& opened, const std::string& name, c
   if (auto file = find(opened.folder, name, field); !file) problems.push_back(file.error());
 }
 
-void checkPictures(const Case& opened, Problems& problems) {
+void checkImages(const Case& opened, Problems& problems) {
   for (std::size_t n = 0; n < opened.previousExaminations.size(); ++n)
-    for (const std::string& picture : opened.previousExaminations[n].pictures)
-      if (auto file = fileOfCase(opened.folder, picture, numbered("previous_examinations", n) + ".pictures"); !file)
+    for (const std::string& image : opened.previousExaminations[n].images)
+      if (auto file = fileOfCase(opened.folder, image, numbered("previous_examinations", n) + ".pictures"); !file)
         problems.push_back(file.error());
 }
 
@@ -205,7 +205,7 @@ Problems problemsBetweenFields(const Case& opened) {
   if (opened.sealed) checkNamed(fileOfCase, opened, opened.sealed->file, "sealed.file", problems);
   checkTargets(opened, problems);
   checkMeasurements(opened, problems);
-  checkPictures(opened, problems);
+  checkImages(opened, problems);
   checkMannequin(opened, problems);
   return problems;
 }
@@ -219,7 +219,7 @@ Problems checkCase(const Case& edited) {
   rules.text("region", edited.region);
   checkPatient(rules.in("patient"), edited.patient);
   rules.list("previous_examinations", edited.previousExaminations.size(),
-             [&](const ValueRules& item, std::size_t n) { item.texts("pictures", edited.previousExaminations[n].pictures); });
+             [&](const ValueRules& item, std::size_t n) { item.texts("pictures", edited.previousExaminations[n].images); });
   rules.list("laboratory", edited.laboratory.size(), [](const ValueRules&, std::size_t) {});
   rules.texts("findings", edited.findings);
   rules.texts("differential", edited.differential);

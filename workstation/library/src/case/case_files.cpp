@@ -2,8 +2,8 @@
 #include <set>
 #include <string_view>
 
-#include "case/handed_on.h"
 #include "case/manifest.h"
+#include "case/outgoing_case.h"
 #include "ew/library/checksums.h"
 #include "files/guarded_case.h"
 

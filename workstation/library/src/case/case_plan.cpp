@@ -50,7 +50,7 @@ void addOptions(ContentKey& key, const CaseReconstruction& reconstruct) {
       .add(reconstruct.fillReach_mm.value_or(-1.0));
 }
 
-Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, const fs::path& resources, std::uint64_t patient) {
+Result<CaseSweep> sweepOf(const Case& opened, const std::string& relative, const fs::path& resources, std::uint64_t patient) {
   auto file = fileOfCase(opened.folder, relative, "volume.sweeps");
   if (!file) return passOn(file.error());
   auto text = readTextFile(*file, kLargestSweepFile_bytes);
@@ -67,7 +67,7 @@ Result<PlannedSweep> sweepOf(const Case& opened, const std::string& relative, co
   auto probe = readProbe(probeFile);
   if (!probe) return passOn(probe.error());
 
-  PlannedSweep planned;
+  CaseSweep planned;
   planned.name = fs::path(relative).stem().string();
   planned.recipe = std::move(*recipe);
   planned.probe = std::move(*probe);
@@ -144,7 +144,7 @@ bool CasePlan::isDone() const { return isDoneIn(StepStore::peek(cacheFolder(), p
 double stitchWork(const CasePlan& plan, const CaseReconstruction& reconstruct) {
   constexpr double kUsual_mm = 0.6;  // of frames about 1 mm apart
   double volume_mm3 = 0.0;
-  for (const PlannedSweep& sweep : plan.sweeps)
+  for (const CaseSweep& sweep : plan.sweeps)
     volume_mm3 += frameArea_mm2(sweep.probe, sweep.recipe.formation.depth_mm) * sweep.recipe.frames;  // frames about 1 mm apart
   return 1e-6 * volume_mm3 / std::pow(reconstruct.spacing_mm.value_or(kUsual_mm), 3);
 }

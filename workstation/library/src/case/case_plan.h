@@ -22,7 +22,7 @@ inline constexpr const char* kTruths = "truths";
 [[nodiscard]] const std::vector<std::string>& preparationSteps();
 
 /// A sweep of a case and the keys of what comes of it.
-struct PlannedSweep {
+struct CaseSweep {
   std::string name;  ///< file name without folder and ending: "subcostal"
   SweepRecipe recipe;
   Probe probe;
@@ -35,12 +35,12 @@ struct PlannedSweep {
 struct CasePlan {
   std::filesystem::path patientFile;
   std::filesystem::path mannequins;
-  std::vector<PlannedSweep> sweeps;  ///< none: the patient is voxelised
-  std::string volume;                ///< key in kVolumes
-  std::string labels;                ///< key in kLabels
-  std::string maps;                  ///< key in kMaps
-  std::string motion;                ///< key in kMotions; empty: none is asked for
-  std::string truth;                 ///< key in kTruths
+  std::vector<CaseSweep> sweeps;  ///< none: the patient is voxelised
+  std::string volume;             ///< key in kVolumes
+  std::string labels;             ///< key in kLabels
+  std::string maps;               ///< key in kMaps
+  std::string motion;             ///< key in kMotions; empty: none is asked for
+  std::string truth;              ///< key in kTruths
   [[nodiscard]] bool isDoneIn(const StepStore& store) const;
   [[nodiscard]] bool isDone() const;  ///< in the cache
   /// Whether something lies there as a part of it that cannot be used.

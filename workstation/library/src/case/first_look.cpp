@@ -42,7 +42,7 @@ double strangeness(const Probe& probe, double depth_mm, double face_mm, bool fan
 glm::dvec3 inPlaneOfAFrame(const glm::dvec3& at_mm, const SweepAxes& axes, const Provenance& recorded) {
   const glm::dvec3 across = glm::cross(axes.lateral, axes.depth);
   double nearest_mm = std::numeric_limits<double>::infinity();
-  for (const TracedFrame& frame : recorded.frames) {
+  for (const FrameProvenance& frame : recorded.frames) {
     const double off_mm = glm::dot(glm::dvec3(frame.imageToWorld.matrix[3]) - at_mm, across);
     if (std::abs(off_mm) < std::abs(nearest_mm)) nearest_mm = off_mm;
   }
@@ -84,8 +84,8 @@ std::optional<FirstLook> firstLookAt(const PlacingShape& shape, std::span<const 
 }
 
 std::optional<FirstPlace> firstPlaceOf(const Volume& volume, const Provenance& recorded, const Skin& skin, const PlacingSite& site) {
-  std::vector<PosedFrame> frames;
-  for (const TracedFrame& each : recorded.frames) frames.push_back({{}, each.imageToWorld, {}});
+  std::vector<TrackedFrame> frames;
+  for (const FrameProvenance& each : recorded.frames) frames.push_back({{}, each.imageToWorld, {}});
   const auto axes = sweepAxesOf(frames);
   if (!axes) return std::nullopt;
   FirstPlace place{placingShapeOf(volume, *axes), {}, {}};

@@ -58,11 +58,11 @@ template <class T>
 struct TaskFields;
 
 template <>
-struct TaskFields<ReadTask> {
+struct TaskFields<ReadingTask> {
   static constexpr std::array<std::string_view, 1> names = {"picture"};
-  static ReadTask read(const JsonFields& f) { return {pathOf(f, "picture")}; }
-  static void write(const ReadTask& task, json& into) {
-    if (!task.picture.empty()) into["picture"] = task.picture;
+  static ReadingTask read(const JsonFields& f) { return {pathOf(f, "picture")}; }
+  static void write(const ReadingTask& task, json& into) {
+    if (!task.image.empty()) into["picture"] = task.image;
   }
 };
 
@@ -195,7 +195,7 @@ struct TaskFields<FreeTask> {
 
 /// The task as it stands in the step, and the names of its fields.
 LessonTask readTask(const JsonFields& step, std::vector<std::string_view>& names) {
-  LessonTask made = taskOfWord(step.text("task")).value_or(ReadTask{});
+  LessonTask made = taskOfWord(step.text("task")).value_or(ReadingTask{});
   if (!taskOfWord(step.text("task"))) step.refuse("task", wordsText(kTaskWords));
   return std::visit(
       [&](const auto& empty) -> LessonTask {
@@ -309,8 +309,8 @@ json jsonOf(const Lesson& lesson) {
 std::string_view taskWord(const LessonTask& task) { return kTaskWords[task.index()]; }
 
 std::optional<LessonTask> taskOfWord(std::string_view word) {
-  static const std::array<LessonTask, kTaskWords.size()> tasks = {ReadTask{},  WatchTask{},    PlaneTask{},  SweepTask{}, MeasureTask{},
-                                                                  PointTask{}, SettingsTask{}, AnswerTask{}, FreeTask{}};
+  static const std::array<LessonTask, kTaskWords.size()> tasks = {ReadingTask{}, WatchTask{},    PlaneTask{},  SweepTask{}, MeasureTask{},
+                                                                  PointTask{},   SettingsTask{}, AnswerTask{}, FreeTask{}};
   const auto at = std::find(kTaskWords.begin(), kTaskWords.end(), word);
   if (at == kTaskWords.end()) return std::nullopt;
   return tasks[static_cast<std::size_t>(at - kTaskWords.begin())];

@@ -48,7 +48,7 @@ class Looking {
 
   /// What a trainee has to read, and nobody wrote.
   void wording() {
-    const bool saysItself = std::holds_alternative<ReadTask>(step_->task) || std::holds_alternative<AnswerTask>(step_->task) ||
+    const bool saysItself = std::holds_alternative<ReadingTask>(step_->task) || std::holds_alternative<AnswerTask>(step_->task) ||
                             std::holds_alternative<WatchTask>(step_->task);
     if (!saysItself && step_->text.empty()) say(ew::say<"Nothing says what is to be done; write it.">());
   }
@@ -65,9 +65,9 @@ class Looking {
       say(ew::say<"The case '%1' has no structure '%2'; choose one of its own.">(scanned_->id, name));
   }
 
-  void at(const ReadTask& task) {
-    if (!task.picture.empty()) file(task.picture);
-    if (step_->text.empty() && task.picture.empty()) say(ew::say<"There is nothing to read; write a text.">());
+  void at(const ReadingTask& task) {
+    if (!task.image.empty()) file(task.image);
+    if (step_->text.empty() && task.image.empty()) say(ew::say<"There is nothing to read; write a text.">());
   }
   void at(const WatchTask& task) {
     if (task.recording.empty()) return say(ew::say<"The expert's scan is not recorded yet; record it, or leave the step out.">());
@@ -157,7 +157,7 @@ std::vector<std::string> unusedLessonFiles(const Case& home) {
   std::set<std::string> named;
   for (const Lesson& lesson : *lessons)
     for (const LessonStep& step : lesson.steps) {
-      if (const auto* read = std::get_if<ReadTask>(&step.task)) named.insert(fs::path(read->picture).lexically_normal().generic_string());
+      if (const auto* read = std::get_if<ReadingTask>(&step.task)) named.insert(fs::path(read->image).lexically_normal().generic_string());
       if (const auto* watch = std::get_if<WatchTask>(&step.task))
         named.insert(fs::path(watch->recording).lexically_normal().generic_string());
     }

@@ -195,7 +195,7 @@ ordered_json examinationsOf(const Case& edited) {
     if (!each.when.empty()) object["when"] = each.when;
     if (!each.kind.empty()) object["kind"] = each.kind;
     if (!each.findings.empty()) object["findings"] = each.findings;
-    if (!each.pictures.empty()) object["pictures"] = each.pictures;
+    if (!each.images.empty()) object["pictures"] = each.images;
     add(object, each.otherFields);
     list.push_back(std::move(object));
   }
@@ -287,12 +287,12 @@ Case valuesIn(const json& manifest, Scene scene, const std::filesystem::path& fo
 }
 
 /// What a manifest says, and everything that is wrong with it, in which case the values are of no use.
-struct ReadManifest {
+struct ManifestContent {
   Case values;
   std::vector<Error> problems;
 };
 
-ReadManifest readCaseManifest(const json& given, const std::filesystem::path& folder) {
+ManifestContent readCaseManifest(const json& given, const std::filesystem::path& folder) {
   const json manifest = ofToday(given);
   if (manifest.is_object() && manifest.contains("format") && manifest["format"].is_number_integer() &&
       manifest["format"].get<double>() > kCaseFormat) {
@@ -307,7 +307,7 @@ ReadManifest readCaseManifest(const json& given, const std::filesystem::path& fo
   if (auto problems = schemaProblems(manifest, SchemaName::caseManifest, verbatim(kManifestName)); !problems.empty())
     return {{}, std::move(problems)};
   auto scene = sceneIn(manifest);
-  ReadManifest made{valuesIn(manifest, scene.value_or(Scene{}), folder), {}};
+  ManifestContent made{valuesIn(manifest, scene.value_or(Scene{}), folder), {}};
   if (!scene) made.problems.push_back(std::move(scene.error()));
   if (manifest["volume"].contains("reconstruct") && made.values.volume.sweeps.empty())
     made.problems.push_back(fieldError(verbatim(kManifestName), "volume.reconstruct", say<"given without sweeps">(),
@@ -323,7 +323,7 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
 }
 
 Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path& folder) {
-  ReadManifest made = readCaseManifest(manifest, folder);
+  ManifestContent made = readCaseManifest(manifest, folder);
   if (!made.problems.empty()) return passOn(std::move(made.problems.front()));
   return std::move(made.values);
 }

@@ -114,9 +114,9 @@ const PlacingSite* namedSite(const MannequinLandmarks& known, const std::string&
 
 }  // namespace
 
-std::optional<SweepAxes> sweepAxesOf(std::span<const PosedFrame> frames) {
+std::optional<SweepAxes> sweepAxesOf(std::span<const TrackedFrame> frames) {
   glm::dvec3 depth(0.0), lateral(0.0);
-  for (const PosedFrame& each : frames) {
+  for (const TrackedFrame& each : frames) {
     const glm::dvec3 x(each.imageToWorld.matrix[0]), y(each.imageToWorld.matrix[1]);
     if (glm::length(x) > 0.0) lateral += glm::normalize(x);
     if (glm::length(y) > 0.0) depth += glm::normalize(y);

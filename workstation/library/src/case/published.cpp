@@ -4,8 +4,8 @@
 #include <charconv>
 #include <fstream>
 
-#include "case/handed_on.h"
 #include "case/manifest.h"
+#include "case/outgoing_case.h"
 #include "case/revisions.h"
 #include "ew/core/output_set.h"
 #include "ew/io/file_lock.h"
@@ -86,8 +86,8 @@ bool isCaseId(std::string_view text) {
          std::all_of(text.begin(), text.end(), [&](char c) { return isPlain(c) || c == '.' || c == '_' || c == '-'; });
 }
 
-std::vector<PublishedCase> publishedRevisions(const fs::path& library, const std::string& id) {
-  std::vector<PublishedCase> found;
+std::vector<CaseRevision> publishedRevisions(const fs::path& library, const std::string& id) {
+  std::vector<CaseRevision> found;
   if (!isCaseId(id)) return found;
   const fs::path folder = publishedFolder(library) / id;
   for (const int revision : takenRevisions(folder))
@@ -96,18 +96,18 @@ std::vector<PublishedCase> publishedRevisions(const fs::path& library, const std
   return found;
 }
 
-std::optional<PublishedCase> latestPublished(const fs::path& library, const std::string& id) {
+std::optional<CaseRevision> latestPublished(const fs::path& library, const std::string& id) {
   if (!isCaseId(id)) return std::nullopt;
   const fs::path folder = publishedFolder(library) / id;
   const auto taken = takenRevisions(folder);
   for (auto revision = taken.rbegin(); revision != taken.rend(); ++revision)
     if (sumsOfComplete(folder / std::to_string(*revision)))
-      return PublishedCase{.id = id, .revision = *revision, .folder = folder / std::to_string(*revision)};
+      return CaseRevision{.id = id, .revision = *revision, .folder = folder / std::to_string(*revision)};
   return std::nullopt;
 }
 
-std::vector<PublishedCase> takenPublished(const fs::path& library, const std::string& id) {
-  std::vector<PublishedCase> found;
+std::vector<CaseRevision> takenPublished(const fs::path& library, const std::string& id) {
+  std::vector<CaseRevision> found;
   if (!isCaseId(id)) return found;
   const fs::path folder = publishedFolder(library) / id;
   std::error_code ignored;
@@ -119,8 +119,8 @@ std::vector<PublishedCase> takenPublished(const fs::path& library, const std::st
   return found;
 }
 
-std::vector<PublishedCase> listPublished(const fs::path& library) {
-  std::vector<PublishedCase> found;
+std::vector<CaseRevision> listPublished(const fs::path& library) {
+  std::vector<CaseRevision> found;
   std::error_code problem;
   for (fs::directory_iterator at(publishedFolder(library), problem), end; !problem && at != end; at.increment(problem)) {
     const std::string id = at->path().filename().string();
@@ -128,13 +128,13 @@ std::vector<PublishedCase> listPublished(const fs::path& library) {
     removeLeftovers(at->path());
     if (auto latest = latestPublished(library, id)) found.push_back(std::move(*latest));
   }
-  std::sort(found.begin(), found.end(), [](const PublishedCase& a, const PublishedCase& b) { return a.id < b.id; });
+  std::sort(found.begin(), found.end(), [](const CaseRevision& a, const CaseRevision& b) { return a.id < b.id; });
   return found;
 }
 
-std::optional<PublishedCase> revisionWith(const fs::path& library, const std::string& id, const std::vector<FileSum>& files) {
+std::optional<CaseRevision> revisionWith(const fs::path& library, const std::string& id, const std::vector<FileSum>& files) {
   auto revisions = publishedRevisions(library, id);
-  const auto same = std::find_if(revisions.rbegin(), revisions.rend(), [&](const PublishedCase& each) {
+  const auto same = std::find_if(revisions.rbegin(), revisions.rend(), [&](const CaseRevision& each) {
     const auto sums = sumsOfComplete(each.folder);
     return sums && *sums == files;
   });
@@ -143,9 +143,9 @@ std::optional<PublishedCase> revisionWith(const fs::path& library, const std::st
   return *same;
 }
 
-Result<PublishedCase> makeRevision(const fs::path& library, const std::string& id, int wanted, const std::vector<FileSum>& files,
-                                   const std::function<std::optional<PublishedCase>()>& there,
-                                   const std::function<Result<void>(const fs::path&)>& fill) {
+Result<CaseRevision> makeRevision(const fs::path& library, const std::string& id, int wanted, const std::vector<FileSum>& files,
+                                  const std::function<std::optional<CaseRevision>()>& there,
+                                  const std::function<Result<void>(const fs::path&)>& fill) {
   if (!hasManifest(files))
     return failure(ErrorCode::notFound, say<"What is to be published holds no case.json, so it is not a case; choose a case folder.">());
   const fs::path folder = publishedFolder(library) / id;
@@ -171,7 +171,7 @@ Result<PublishedCase> makeRevision(const fs::path& library, const std::string& i
     const FileLock lock = FileLock::takeFolder(folder);
     if (auto same = there()) return *same;
     auto committed = outputs.commit();
-    if (committed) return PublishedCase{.id = id, .revision = revision, .folder = place};
+    if (committed) return CaseRevision{.id = id, .revision = revision, .folder = place};
     std::error_code ignored;
     if (attempt == kAttempts || !fs::exists(place, ignored)) return passOn(committed.error());
   }

@@ -17,8 +17,8 @@ namespace ew {
 [[nodiscard]] bool isCaseId(std::string_view text);
 
 /// The revision that holds exactly these files, with the sizes they should have; the latest of them.
-[[nodiscard]] std::optional<PublishedCase> revisionWith(const std::filesystem::path& library, const std::string& id,
-                                                        const std::vector<FileSum>& files);
+[[nodiscard]] std::optional<CaseRevision> revisionWith(const std::filesystem::path& library, const std::string& id,
+                                                       const std::vector<FileSum>& files);
 
 /// Makes a revision aside and puts it in place when it is whole: sums are written, the case can be opened from there. Takes away what
 /// killed programs left. When somebody else took the revision's number meanwhile, it is made again with another one.
@@ -27,10 +27,10 @@ namespace ew {
 /// @param wanted its number; taken already, or 0: the one after the highest that was ever given
 /// @param fill   puts every file into a new folder
 /// @error notWritable, of `fill`, as loadCase; then everything is as it was before
-[[nodiscard]] Result<PublishedCase> makeRevision(const std::filesystem::path& library, const std::string& id, int wanted,
-                                                 const std::vector<FileSum>& files,
-                                                 const std::function<std::optional<PublishedCase>()>& there,
-                                                 const std::function<Result<void>(const std::filesystem::path&)>& fill);
+[[nodiscard]] Result<CaseRevision> makeRevision(const std::filesystem::path& library, const std::string& id, int wanted,
+                                                const std::vector<FileSum>& files,
+                                                const std::function<std::optional<CaseRevision>()>& there,
+                                                const std::function<Result<void>(const std::filesystem::path&)>& fill);
 
 /// Takes all revisions of a case away, under the lock under which a revision gets its number. Their numbers stay taken, whatever becomes of
 /// their folders: attempts name a revision, and must not find another content under it.

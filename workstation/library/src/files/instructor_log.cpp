@@ -9,7 +9,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/io/private_file.h"
-#include "ew/library/moment.h"
+#include "ew/library/timestamp.h"
 
 namespace ew {
 namespace {
@@ -26,7 +26,7 @@ std::optional<InstructorChange> changeIn(const std::string& line) {
   JsonReading reading(where);
   const JsonFields fields(*document, reading);
   InstructorChange change;
-  const auto at = readMoment(fields, "at", true);
+  const auto at = readTimestamp(fields, "at", true);
   change.who = fields.text("who", std::string(), 0);
   change.what = fields.text("what");
   change.of = fields.text("of", std::string(), 0, 1000);
@@ -55,7 +55,7 @@ Result<void> logChange(const fs::path& library, const InstructorChange& change) 
   std::error_code ignored;
   fs::create_directories(library, ignored);  // the library itself may be for several
   if (auto made = makePrivateFolder(assessmentFolder(library)); !made) return made;
-  json line = {{"at", momentText(change.at)}, {"who", change.who}, {"what", change.what}};
+  json line = {{"at", timestampText(change.at)}, {"who", change.who}, {"what", change.what}};
   if (!change.of.empty()) line["of"] = change.of;
   if (!change.before.is_null()) line["before"] = change.before;
   if (!change.after.is_null()) line["after"] = change.after;

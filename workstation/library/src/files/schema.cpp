@@ -30,7 +30,7 @@ Message expectation(const std::string& description) {
 
 namespace {
 
-struct LoadedSchema {
+struct SchemaRules {
   nlohmann::json document;
   valijson::Schema rules;
 };
@@ -42,14 +42,14 @@ void enterExpectations(const nlohmann::json& schema) {
   for (const auto& inner : schema) enterExpectations(inner);
 }
 
-void compile(LoadedSchema& schema) {
+void compile(SchemaRules& schema) {
   valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
   parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema.document), schema.rules);
   enterExpectations(schema.document);
 }
 
-const LoadedSchema& loadedSchema(SchemaName name) {
-  const auto load = [](const char* text, LoadedSchema& into, bool asksForFields) {
+const SchemaRules& loadedSchema(SchemaName name) {
+  const auto load = [](const char* text, SchemaRules& into, bool asksForFields) {
     into.document = nlohmann::json::parse(text);
     if (!asksForFields) into.document.erase("required");
     compile(into);
@@ -57,13 +57,13 @@ const LoadedSchema& loadedSchema(SchemaName name) {
   };
   switch (name) {
     case SchemaName::caseManifest: {
-      static LoadedSchema caseSchema;
+      static SchemaRules caseSchema;
       static const bool ready = load(kCaseSchemaText, caseSchema, true);
       static_cast<void>(ready);
       return caseSchema;
     }
     case SchemaName::caseOtherFields: {
-      static LoadedSchema otherFieldsSchema;
+      static SchemaRules otherFieldsSchema;
       static const bool ready = load(kCaseSchemaText, otherFieldsSchema, false);
       static_cast<void>(ready);
       return otherFieldsSchema;
@@ -71,7 +71,7 @@ const LoadedSchema& loadedSchema(SchemaName name) {
     case SchemaName::pluginManifest:
       break;
   }
-  static LoadedSchema pluginSchema;
+  static SchemaRules pluginSchema;
   static const bool ready = load(kPluginSchemaText, pluginSchema, true);
   static_cast<void>(ready);
   return pluginSchema;
@@ -173,7 +173,7 @@ std::vector<Error> overlongPatterns(const nlohmann::json& document, const nlohma
   return problems;
 }
 
-std::vector<Error> problemsOf(const nlohmann::json& document, const LoadedSchema& schema, const std::string& place,
+std::vector<Error> problemsOf(const nlohmann::json& document, const SchemaRules& schema, const std::string& place,
                               const Message& documentName) {
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   valijson::ValidationResults results;
@@ -224,13 +224,13 @@ constexpr std::size_t kLongestForPatterns = 2000;
 const nlohmann::json& caseRules() { return loadedSchema(SchemaName::caseManifest).document; }
 
 std::vector<Error> schemaProblems(const nlohmann::json& document, SchemaName name, const Message& documentName) {
-  const LoadedSchema& schema = loadedSchema(name);
+  const SchemaRules& schema = loadedSchema(name);
   if (auto overlong = overlongPatterns(document, schema.document, documentName); !overlong.empty()) return overlong;
   return problemsOf(document, schema, {}, documentName);
 }
 
 struct PartSchema::Loaded {
-  LoadedSchema schema;
+  SchemaRules schema;
   bool hasPatterns = false;
 };
 

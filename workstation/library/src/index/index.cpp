@@ -147,7 +147,7 @@ class SqliteIndex final : public LibraryIndex {
 
   Result<RefreshReport> refreshOnce(const std::vector<LibraryRoot>& roots, Progress& progress) {
     progress.report(say<"Looking at the folders of the library">(), 0.0);
-    const FoundCases found = findCases(roots, language_);
+    const CaseFolders found = findCases(roots, language_);
     const auto known = locked([&] { return store_->known(); });
     RefreshReport report;
     report.seen = found.cases.size();
@@ -163,10 +163,10 @@ class SqliteIndex final : public LibraryIndex {
     return report;
   }
 
-  [[nodiscard]] static std::vector<FoundCase> changedAmong(const std::vector<FoundCase>& found,
-                                                           const std::map<std::string, IndexStore::Known>& known) {
-    std::vector<FoundCase> changed;
-    for (const FoundCase& each : found) {
+  [[nodiscard]] static std::vector<CaseFolder> changedAmong(const std::vector<CaseFolder>& found,
+                                                            const std::map<std::string, IndexStore::Known>& known) {
+    std::vector<CaseFolder> changed;
+    for (const CaseFolder& each : found) {
       const auto before = known.find(each.folder.native());
       if (before == known.end() || before->second.stamp != each.stamp || before->second.kind != each.kind ||
           before->second.revision != each.revision)
@@ -175,11 +175,11 @@ class SqliteIndex final : public LibraryIndex {
     return changed;
   }
 
-  Result<std::size_t> storeChanged(const std::vector<FoundCase>& changed, Progress& progress) {
+  Result<std::size_t> storeChanged(const std::vector<CaseFolder>& changed, Progress& progress) {
     std::vector<IndexStore::Stamped> waiting;
     for (std::size_t n = 0; n < changed.size(); ++n) {
       if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Reading the library was stopped.">());
-      const FoundCase& each = changed[n];
+      const CaseFolder& each = changed[n];
       waiting.push_back({readIndexEntry(each.folder, each.kind, each.revision, language_), each.stamp});
       if (!isSettled(each.folder, language_, std::chrono::system_clock::now())) waiting.back().stamp.clear();
       if (waiting.size() < kStoredAtOnce && n + 1 < changed.size()) continue;
@@ -190,7 +190,7 @@ class SqliteIndex final : public LibraryIndex {
     return changed.size();
   }
 
-  std::size_t removeGone(const std::vector<FoundCase>& found, const std::map<std::string, IndexStore::Known>& known) {
+  std::size_t removeGone(const std::vector<CaseFolder>& found, const std::map<std::string, IndexStore::Known>& known) {
     std::vector<std::string> gone;
     auto there = found.begin();  // both are sorted by folder
     for (const auto& [folder, ignored] : known) {

@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 /// Longer than any clock of a file system ticks, but for those that count whole seconds and do not name a fraction.
 constexpr std::chrono::milliseconds kFileTick{50};
 
-using SeenFile = std::optional<struct ::stat>;
+using FileStatus = std::optional<struct ::stat>;
 
-SeenFile lookAt(const std::string& file) {
+FileStatus lookAt(const std::string& file) {
   struct ::stat seen {};
   if (::stat(file.c_str(), &seen) != 0 || !S_ISREG(seen.st_mode)) return {};
   return seen;
@@ -40,11 +40,11 @@ std::vector<std::string> wordsFiles(const std::string& folder, const std::string
 }
 
 std::optional<std::string> caseStamp(const std::string& folder, const std::string& language) {
-  const SeenFile manifest = lookAt(folder + '/' + kManifestName);
+  const FileStatus manifest = lookAt(folder + '/' + kManifestName);
   if (!manifest) return {};
   std::string stamp = stampText(*manifest);
   for (const std::string& file : wordsFiles(folder, language))
-    if (const SeenFile words = lookAt(file)) stamp += " / " + stampText(*words);
+    if (const FileStatus words = lookAt(file)) stamp += " / " + stampText(*words);
   return stamp;
 }
 
@@ -68,20 +68,20 @@ std::error_code forEachFolder(const fs::path& folder, Take take) {
   return failed;
 }
 
-std::optional<FoundCase> highestRevision(const std::string& folder, const std::string& language) {
-  std::optional<FoundCase> highest;
+std::optional<CaseFolder> highestRevision(const std::string& folder, const std::string& language) {
+  std::optional<CaseFolder> highest;
   forEachFolder(folder, [&](const std::string& path) {
     const auto revision = revisionNamed(path.substr(path.rfind('/') + 1));
     if (!revision || (highest && highest->revision >= *revision)) return;
-    if (auto stamp = caseStamp(path, language)) highest = FoundCase{path, LibraryKind::published, *revision, std::move(*stamp)};
+    if (auto stamp = caseStamp(path, language)) highest = CaseFolder{path, LibraryKind::published, *revision, std::move(*stamp)};
   });
   return highest;
 }
 
 }  // namespace
 
-FoundCases findCases(const std::vector<LibraryRoot>& roots, const std::string& language) {
-  FoundCases found;
+CaseFolders findCases(const std::vector<LibraryRoot>& roots, const std::string& language) {
+  CaseFolders found;
   for (const LibraryRoot& root : roots) {
     const auto failed = forEachFolder(root.folder, [&](const std::string& path) {
       if (root.kind == LibraryKind::published) {
@@ -96,8 +96,8 @@ FoundCases findCases(const std::vector<LibraryRoot>& roots, const std::string& l
   }
   // A root that is given twice, or as own and as shipped, has each case once.
   std::stable_sort(found.cases.begin(), found.cases.end(),
-                   [](const FoundCase& a, const FoundCase& b) { return a.folder.native() < b.folder.native(); });
-  const auto same = [](const FoundCase& a, const FoundCase& b) { return a.folder.native() == b.folder.native(); };
+                   [](const CaseFolder& a, const CaseFolder& b) { return a.folder.native() < b.folder.native(); });
+  const auto same = [](const CaseFolder& a, const CaseFolder& b) { return a.folder.native() == b.folder.native(); };
   found.cases.erase(std::unique(found.cases.begin(), found.cases.end(), same), found.cases.end());
   return found;
 }
@@ -106,7 +106,7 @@ bool isSettled(const fs::path& caseFolder, const std::string& language, std::chr
   std::vector<std::string> files = wordsFiles(caseFolder.string(), language);
   files.push_back((caseFolder / kManifestName).string());
   return std::all_of(files.begin(), files.end(), [&](const std::string& file) {
-    const SeenFile seen = lookAt(file);
+    const FileStatus seen = lookAt(file);
     if (!seen) return true;
     const auto since = std::chrono::seconds(seen->st_mtim.tv_sec) + std::chrono::nanoseconds(seen->st_mtim.tv_nsec);
     const auto age = now.time_since_epoch() - since;

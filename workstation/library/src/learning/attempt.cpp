@@ -14,7 +14,7 @@
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
-#include "ew/library/moment.h"
+#include "ew/library/timestamp.h"
 #include "files/json_rest.h"
 
 namespace ew {
@@ -57,9 +57,8 @@ StepOutcome readOutcome(const JsonFields& fields) {
     if (jsonOf(outcome.answer) != *answer) outcome.otherAnswer = *answer;
   }
   outcome.recording = ownFile(fields, "recording", fields.text("recording", std::string(), 0, kLongestFileName));
-  for (const std::string& picture : fields.texts("pictures", 0, kMostRemarks))
-    outcome.pictures.push_back(ownFile(fields, "pictures", picture));
-  outcome.at = readMoment(fields, "at", true).value_or(sys_seconds{});
+  for (const std::string& image : fields.texts("pictures", 0, kMostRemarks)) outcome.images.push_back(ownFile(fields, "pictures", image));
+  outcome.at = readTimestamp(fields, "at", true).value_or(sys_seconds{});
   outcome.otherFields = without(fields.value(), kOutcomeFields);
   return outcome;
 }
@@ -72,8 +71,8 @@ json jsonOf(const StepOutcome& outcome) {
   if (outcome.hints > 0) made["hints"] = outcome.hints;
   if (json answer = outcome.answerJson(); !answer.is_null()) made["answer"] = std::move(answer);
   if (!outcome.recording.empty()) made["recording"] = outcome.recording;
-  if (!outcome.pictures.empty()) made["pictures"] = outcome.pictures;
-  made["at"] = momentText(outcome.at);
+  if (!outcome.images.empty()) made["pictures"] = outcome.images;
+  made["at"] = timestampText(outcome.at);
   return made;
 }
 
@@ -157,7 +156,7 @@ const StepOutcome* Attempt::outcomeOf(const std::string& stepId) const {
 }
 
 std::string idOfAttempt(sys_seconds now) {
-  std::string id = momentText(now);
+  std::string id = timestampText(now);
   std::erase_if(id, [](char letter) { return letter == '-' || letter == ':' || letter == 'Z'; });
   std::replace(id.begin(), id.end(), 'T', '-');
   // Attempts of one second stand in their order, too: three digits are the millisecond, the rest is chance.
@@ -188,8 +187,8 @@ Result<Attempt> attemptFromJson(const json& document) {
   made.program = fields.text("program", std::string(), 0);
   made.launch = fields.text("launch", std::string(), 0, kLongestLaunch);
   if (fields.has("mastery_score")) made.masteryScore = fields.number("mastery_score", 0.0, 1.0);
-  made.startedAt = readMoment(fields, "started_at", true).value_or(sys_seconds{});
-  made.finishedAt = readMoment(fields, "finished_at", false);
+  made.startedAt = readTimestamp(fields, "started_at", true).value_or(sys_seconds{});
+  made.finishedAt = readTimestamp(fields, "finished_at", false);
   made.runningStep = fields.text("running", std::string(), 0, 100);
   for (const JsonFields& each : fields.objects("outcomes", 0, kMostOutcomes)) made.outcomes.push_back(readOutcome(each));
   made.otherFields = without(fields.value(), kAttemptFields);
@@ -212,15 +211,15 @@ json jsonOf(const Attempt& attempt) {
   text("program", attempt.program);
   text("launch", attempt.launch);
   if (attempt.masteryScore) made["mastery_score"] = *attempt.masteryScore;
-  made["started_at"] = momentText(attempt.startedAt);
-  if (attempt.finishedAt) made["finished_at"] = momentText(*attempt.finishedAt);
+  made["started_at"] = timestampText(attempt.startedAt);
+  if (attempt.finishedAt) made["finished_at"] = timestampText(*attempt.finishedAt);
   text("running", attempt.runningStep);
   made["outcomes"] = json::array();
   for (const StepOutcome& outcome : attempt.outcomes) made["outcomes"].push_back(jsonOf(outcome));
   return made;
 }
 
-Result<KeptAttempt> KeptAttempt::begin(const fs::path& root, Attempt attempt) {
+Result<AttemptFolder> AttemptFolder::begin(const fs::path& root, Attempt attempt) {
   const fs::path folder = root / attempt.id;
   std::error_code error;
   fs::create_directories(root.parent_path(), error);
@@ -231,22 +230,22 @@ Result<KeptAttempt> KeptAttempt::begin(const fs::path& root, Attempt attempt) {
                    say<"The folder '%1' for this attempt cannot be made (%2); free some space, or choose a library you may write to.">(
                        folder, error ? verbatim(error.message()) : closed.error().message),
                    {{"file", folder.string()}});
-  KeptAttempt kept(folder, {});
+  AttemptFolder kept(folder, {});
   if (auto written = kept.keep(std::move(attempt)); !written) return passOn(written.error());
   return kept;
 }
 
-Result<KeptAttempt> KeptAttempt::open(const fs::path& folder) {
+Result<AttemptFolder> AttemptFolder::open(const fs::path& folder) {
   auto text = readTextFile(folder / kAttemptFile, kLargestAttempt_bytes);
   if (!text) return passOn(text.error());
   auto document = parseJsonObject(*text, verbatim(kAttemptFile));
   if (!document) return passOn(document.error());
   auto attempt = attemptFromJson(*document);
   if (!attempt) return passOn(attempt.error());
-  return KeptAttempt(folder, std::move(*attempt));
+  return AttemptFolder(folder, std::move(*attempt));
 }
 
-Result<void> KeptAttempt::keep(Attempt next) {
+Result<void> AttemptFolder::keep(Attempt next) {
   std::string text;
   try {
     text = jsonOf(next).dump(1) + "\n";
@@ -254,19 +253,19 @@ Result<void> KeptAttempt::keep(Attempt next) {
     return failure(ErrorCode::badField, say<"A text of the attempt is not valid UTF-8 and cannot be saved; type it again.">());
   }
   if (auto written = writeFileSafely(folder_ / kAttemptFile, text); !written) return written;
-  // Recordings and pictures come from writers that ask the umask; the folder has kept them from others until here.
+  // Recordings and images come from writers that ask the umask; the folder has kept them from others until here.
   if (auto closed = closeToOthers(folder_); !closed) return closed;
   attempt_ = std::move(next);
   return {};
 }
 
-Result<void> KeptAttempt::beginStep(const std::string& stepId) {
+Result<void> AttemptFolder::beginStep(const std::string& stepId) {
   Attempt next = attempt_;
   next.runningStep = stepId;
   return keep(std::move(next));
 }
 
-Result<void> KeptAttempt::endStep(StepOutcome outcome, std::optional<sys_seconds> finishedAt) {
+Result<void> AttemptFolder::endStep(StepOutcome outcome, std::optional<sys_seconds> finishedAt) {
   Attempt next = attempt_;
   if (finishedAt) next.finishedAt = finishedAt;
   next.runningStep.clear();
@@ -274,21 +273,21 @@ Result<void> KeptAttempt::endStep(StepOutcome outcome, std::optional<sys_seconds
   return keep(std::move(next));
 }
 
-Result<void> KeptAttempt::leaveStep() {
+Result<void> AttemptFolder::leaveStep() {
   if (attempt_.runningStep.empty()) return {};
   Attempt next = attempt_;
   next.runningStep.clear();
   return keep(std::move(next));
 }
 
-Result<void> KeptAttempt::finish(sys_seconds now) {
+Result<void> AttemptFolder::finish(sys_seconds now) {
   Attempt next = attempt_;
   next.runningStep.clear();
   next.finishedAt = now;
   return keep(std::move(next));
 }
 
-Result<void> KeptAttempt::goOnAt(const Lesson& lesson) {
+Result<void> AttemptFolder::goOnAt(const Lesson& lesson) {
   const std::string content = contentOf(lesson);
   if (attempt_.lessonContent == content) return {};
   Attempt next = attempt_;
@@ -297,7 +296,7 @@ Result<void> KeptAttempt::goOnAt(const Lesson& lesson) {
   return keep(std::move(next));
 }
 
-std::string KeptAttempt::nameForFile(const std::string& stepId, const std::string& ending) const {
+std::string AttemptFolder::nameForFile(const std::string& stepId, const std::string& ending) const {
   std::array<char, 24> number{};
   std::snprintf(number.data(), number.size(), "step-%02zu-", attempt_.outcomes.size() + 1);
   std::string name = number.data() + idFor(stepId, {});
@@ -323,7 +322,7 @@ AttemptList listAttempts(const fs::path& root) {
     const fs::path folder = entries->path();
     std::error_code ignored;
     if (folder.filename().string().starts_with('.') || !fs::exists(folder / kAttemptFile, ignored)) continue;
-    auto kept = KeptAttempt::open(folder);
+    auto kept = AttemptFolder::open(folder);
     if (kept) {
       list.attempts.emplace_back(folder, kept->attempt());
     } else {

@@ -22,8 +22,8 @@
 #include "files/private_folder.h"
 #include "making/case_truth_file.h"
 #include "making/draft_maps.h"
-#include "making/kept_pieces.h"
 #include "making/old_results.h"
+#include "making/piece_journal.h"
 #include "making/preparation_clock.h"
 
 namespace ew {
@@ -88,7 +88,7 @@ class Preparation {
       return steps;
     }
     bool hasPatient = false;
-    for (const PlannedSweep& sweep : plan.sweeps) {
+    for (const CaseSweep& sweep : plan.sweeps) {
       if (store.find(kVolumes, plan.volume) || store.find(kSweeps, sweep.volume)) continue;
       if (!store.find(kRecordings, sweep.recording)) {
         if (!hasPatient) add(PreparationStep::patient, 1.0);
@@ -111,7 +111,7 @@ class Preparation {
     if (kept) {
       begin(PreparationStep::stitch, say<"Labelling the tissues">());
     } else {
-      for (const PlannedSweep& sweep : plan_.sweeps)
+      for (const CaseSweep& sweep : plan_.sweeps)
         if (auto swept = makeSweep(sweep); !swept) return passOn(swept.error());
       begin(PreparationStep::stitch, say<"Stitching">());
       kept = stitchedVolume();
@@ -139,7 +139,7 @@ class Preparation {
     double painted = 1.0;
     const fs::path folder = home_ / kJoins / plan_.volume;  // of what is painted so far; gone when the volume is kept
     auto voxels = [&] {
-      std::optional<KeptPieces> pieces;
+      std::optional<PieceJournal> pieces;
       if (!isPassing_)  // nobody would go on with them
         pieces.emplace(folder / "pieces", [&](double share) {
           painted = 1.0 - share;
@@ -220,7 +220,7 @@ class Preparation {
   }
 
   /// A recording on disk, as a laboratory has it: the tracked images and the device set with calibration and sector.
-  Result<void> record(const PlannedSweep& sweep) {
+  Result<void> record(const CaseSweep& sweep) {
     if (isWhole(store_, kRecordings, sweep.recording, {kImagesFile, kDeviceSetFile})) return {};
     auto patient = patientOf();
     if (!patient) return passOn(patient.error());
@@ -237,12 +237,12 @@ class Preparation {
   }
 
   /// Of the recording of a sweep.
-  [[nodiscard]] fs::path fileOf(const PlannedSweep& sweep, const char* name) const {
+  [[nodiscard]] fs::path fileOf(const CaseSweep& sweep, const char* name) const {
     return store_.fileOf(kRecordings, sweep.recording, name);
   }
 
   /// The way a user's recording goes into a volume for stitching, with the options of the case.
-  Result<void> reconstruct(const PlannedSweep& sweep) {
+  Result<void> reconstruct(const CaseSweep& sweep) {
     begin(PreparationStep::reconstruct, say<"Reconstructing the sweep '%1'">(sweep.name));
     const CaseReconstruction& asked = case_.volume.reconstruct;
     SweepImportOptions import;
@@ -272,7 +272,7 @@ class Preparation {
   }
 
   /// Leaves the volume of a sweep in the store.
-  Result<void> makeSweep(const PlannedSweep& sweep) {
+  Result<void> makeSweep(const CaseSweep& sweep) {
     // Cases may share a patient and a sweep: whoever comes second finds what the first one kept, and never a recording that goes while he
     // reads it.
     const auto recording = store_.lock(kRecordings, sweep.recording, waiting(), silent_);
@@ -292,7 +292,7 @@ class Preparation {
   }
 
   /// A recording has done its service once its volume is kept; whoever wants to look at it names a folder.
-  Result<void> putAway(const PlannedSweep& sweep) {
+  Result<void> putAway(const CaseSweep& sweep) {
     if (!options_.keepSweeps.empty()) {
       std::error_code error;
       fs::create_directories(options_.keepSweeps, error);
@@ -316,7 +316,7 @@ class Preparation {
   [[nodiscard]] stitching::StitchProject project() const {
     const CaseReconstruction& asked = case_.volume.reconstruct;
     stitching::StitchProject project;
-    for (const PlannedSweep& sweep : plan_.sweeps) {
+    for (const CaseSweep& sweep : plan_.sweeps) {
       stitching::ProjectVolume volume;
       volume.file = store_.fileOf(kSweeps, sweep.volume, kVolumeFile);
       volume.coverage = store_.fileOf(kSweeps, sweep.volume, kCoverageFile);

@@ -60,7 +60,7 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
     const CaseTarget& target = opened.targets[n];
     const std::string field = "targets[" + std::to_string(n) + "]";
     if (target.kind == CaseTarget::Kind::point) {
-      ExpectedPoint point;
+      ReferencePoint point;
       point.name = target.name;
       point.at_mm = placedPoint(target.at_mm.value_or(glm::dvec3(0.0)));
       point.tolerance_mm = target.tolerance_mm.value_or(point.tolerance_mm);
@@ -72,7 +72,7 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
       if (!organ) return passOn(organ.error());
       found.structures.push_back({target.name, target.organ, organ->at("label").get<int>()});
     } else {
-      ExpectedPlane plane;
+      ReferencePlane plane;
       plane.name = target.name;
       if (target.probeToFile) {
         plane.probeToWorld = fileToWorld * *target.probeToFile;
@@ -92,20 +92,20 @@ Result<CaseTruth> compared(const Case& opened, const json& truth) {
   for (std::size_t n = 0; n < opened.measurements.size(); ++n) {
     const CaseMeasurement& asked = opened.measurements[n];
     if (asked.value) {
-      ExpectedMeasurement expected{asked.name,
-                                   asked.kind.empty() ? "distance" : asked.kind,
-                                   *asked.value,
-                                   asked.unit.empty() ? "mm" : asked.unit,
-                                   asked.tolerance,
-                                   {},
-                                   {}};
+      ReferenceMeasurement expected{asked.name,
+                                    asked.kind.empty() ? "distance" : asked.kind,
+                                    *asked.value,
+                                    asked.unit.empty() ? "mm" : asked.unit,
+                                    asked.tolerance,
+                                    {},
+                                    {}};
       for (const glm::dvec3& p_mm : asked.points_mm) expected.points_mm.push_back(placedPoint(p_mm));
       found.measurements.push_back(std::move(expected));
       continue;
     }
     auto known = named(truth.at("measurements"), asked.name, "measurements[" + std::to_string(n) + "].name", say<"no such measurement">());
     if (!known) return passOn(known.error());
-    ExpectedMeasurement expected;
+    ReferenceMeasurement expected;
     expected.name = asked.name;
     expected.kind = known->at("kind").get<std::string>();
     expected.value = known->at("value").get<double>();

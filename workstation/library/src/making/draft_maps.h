@@ -7,7 +7,7 @@
 
 namespace ew {
 
-/// Maps of a coarser grid on a finer one of the same axes, for pictures until the finer ones are made: levels lie smoothly between the
+/// Maps of a coarser grid on a finer one of the same axes, for images until the finer ones are made: levels lie smoothly between the
 /// voxels that send anything back, and the rest sends nothing back where it is nearer; distances to a surface lie smoothly between voxels
 /// that know the same surface, so that it stays a line and does not become stairs.
 /// @return empty when cancelled

@@ -78,13 +78,13 @@ Result<void> checkVoxels(const fs::path& file, const glm::dvec3& spacing_mm, con
   return ask(ErrorCode::unsupported, "accept-small", std::move(question), file);
 }
 
-Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
+Result<FileImportResult> fromVolume(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReaderLimits& limits) {
   VolumeReadOptions options;
   if (answers.timeStep) options.timeStep = static_cast<std::uint64_t>(std::max(*answers.timeStep, 0));
   auto read = readVolume(file, progress, limits, options);
   if (!read) return passOn(read.error());
   if (read->timeSteps > 1 && !answers.timeStep) return askForStep(file, read->timeSteps);
-  ImportedFile made;
+  FileImportResult made;
   made.notes = std::move(read->notes);
   made.warnings = std::move(read->warnings);
   if (answers.spacing_mm) {
@@ -102,26 +102,26 @@ Result<ImportedFile> fromVolume(const fs::path& file, const ImportAnswers& answe
   return made;
 }
 
-Result<ImportedFile> fromCine(Result<Cine> cine) {
+Result<FileImportResult> fromCine(Result<Cine> cine) {
   if (!cine) return passOn(cine.error());
-  ImportedFile made;
+  FileImportResult made;
   made.removed = cine->removed;
   made.notes = cine->notes;
-  made.pictures = *std::move(cine);
+  made.images = *std::move(cine);
   return made;
 }
 
 template <class Read>
-Result<ImportedFile> fromParts(Result<Read> read) {
+Result<FileImportResult> fromParts(Result<Read> read) {
   if (!read) return passOn(read.error());
-  ImportedFile made;
+  FileImportResult made;
   made.removed = std::move(read->removed);
   made.notes = std::move(read->notes);
   made.volume = std::move(read->volume);
   return made;
 }
 
-Result<ImportedFile> fromStills(const fs::path& folder, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
+Result<FileImportResult> fromStills(const fs::path& folder, const ImportAnswers& answers, Progress& progress, const ReaderLimits& limits) {
   auto made = fromParts(readDicomStack(
       folder, {.colour = answers.colour, .blank = answers.blank, .keepText = answers.keepText, .acceptsSmall = answers.acceptsSmall},
       progress, limits));
@@ -130,7 +130,8 @@ Result<ImportedFile> fromStills(const fs::path& folder, const ImportAnswers& ans
   return made;
 }
 
-Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
+Result<FileImportResult> read(FileKind kind, const fs::path& file, const ImportAnswers& answers, Progress& progress,
+                              const ReaderLimits& limits) {
   switch (kind) {
     case FileKind::volume:
       return fromVolume(file, answers, progress, limits);
@@ -140,7 +141,7 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
           say<"'%1' is a recording already, so there is nothing to import; with the poses of a tracker, or a file that says how a motor "
               "moved the probe, a volume can be made of it.">(file.filename()),
           file);
-    case FileKind::dicomPictures:
+    case FileKind::dicomImages:
       return fromCine(readDicomCine(file,
                                     {.region = answers.region,
                                      .pixel_mm = answers.pixel_mm,
@@ -162,7 +163,7 @@ Result<ImportedFile> read(FileKind kind, const fs::path& file, const ImportAnswe
       options.timeStep = answers.timeStep;
       return fromParts(readKretz(file, options, progress, limits));
     }
-    case FileKind::pictures:
+    case FileKind::images:
       return fromParts(
           readImageStack(file, {.spacing_mm = answers.spacing_mm, .colour = answers.colour, .blank = answers.blank}, progress, limits));
     case FileKind::film:
@@ -188,15 +189,15 @@ const char* nameOf(FileKind kind) {
       return "volume";
     case FileKind::sweep:
       return "sweep";
-    case FileKind::dicomPictures:
-      return "DICOM pictures";
+    case FileKind::dicomImages:
+      return "DICOM images";
     case FileKind::dicomVolume:
       return "Enhanced US Volume";
     case FileKind::dicomStack:
       return "folder of DICOM stills";
     case FileKind::kretz:
       return "Kretz volume";
-    case FileKind::pictures:
+    case FileKind::images:
       return "pictures";
     case FileKind::film:
       return "film";
@@ -211,14 +212,14 @@ Result<FileKind> kindOfFile(const fs::path& file) {
   if (!fs::exists(file, ec))
     return failure(ErrorCode::notFound, say<"There is no file or folder '%1'; check the name.">(file), {{"file", file.string()}});
   if (fs::is_directory(file, ec)) {
-    const auto pictures = stackFiles(file);
-    if (!pictures && pictures.error().code == ErrorCode::notReadable) return passOn(pictures.error());
+    const auto images = stackFiles(file);
+    if (!images && images.error().code == ErrorCode::notReadable) return passOn(images.error());
     const auto dicom = dicomFilesIn(file);
-    if (dicom.empty()) return FileKind::pictures;
-    if (!pictures) return FileKind::dicomStack;
+    if (dicom.empty()) return FileKind::images;
+    if (!images) return FileKind::dicomStack;
     return failure(ErrorCode::unsupported,
-                   say<"'%1' holds both pictures (.png, .jpg, .pgm: %2) and DICOM files (%3), and one volume is made of one kind; put them "
-                       "into folders of their own.">(file.filename(), pictures->size(), dicom.size()),
+                   say<"'%1' holds both images (.png, .jpg, .pgm: %2) and DICOM files (%3), and one volume is made of one kind; put them "
+                       "into folders of their own.">(file.filename(), images->size(), dicom.size()),
                    {{"file", file.string()}});
   }
   // Opening a pipe to see what it begins with would wait for whoever writes into it.
@@ -233,7 +234,7 @@ Result<FileKind> kindOfFile(const fs::path& file) {
     if (!sequence) return passOn(sequence.error());
     return *sequence ? FileKind::sweep : FileKind::volume;
   }
-  if (among(ending, {".png", ".jpg", ".jpeg", ".pgm"})) return FileKind::pictures;
+  if (among(ending, {".png", ".jpg", ".jpeg", ".pgm"})) return FileKind::images;
   if (among(ending, {".hdr", ".img"}) && isHalfOfPair(file)) return headerAndImageApart(file);
   // The free bytes before a DICOM data set may be those of a TIFF.
   if (isDicom(file) ? isDicomFilm(file) : isFilm(file) || isTiff(file)) return FileKind::film;
@@ -242,8 +243,8 @@ Result<FileKind> kindOfFile(const fs::path& file) {
     const auto summary = inspectDicom(file);
     if (!summary) return passOn(summary.error());
     switch (summary->kind) {
-      case DicomKind::pictures:
-        return FileKind::dicomPictures;
+      case DicomKind::images:
+        return FileKind::dicomImages;
       case DicomKind::enhancedVolume:
         return FileKind::dicomVolume;
       case DicomKind::kretz:
@@ -254,11 +255,11 @@ Result<FileKind> kindOfFile(const fs::path& file) {
   return FileKind::raw;
 }
 
-Result<ImportedFile> importFile(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReadLimits& limits) {
+Result<FileImportResult> importFile(const fs::path& file, const ImportAnswers& answers, Progress& progress, const ReaderLimits& limits) {
   if (answers.raw) {
     auto raw = readRawVolume(file, *answers.raw, progress, limits);
     if (!raw) return passOn(raw.error());
-    ImportedFile made;
+    FileImportResult made;
     made.kind = FileKind::raw;
     made.notes = std::move(raw->notes);
     made.warnings = std::move(raw->warnings);
@@ -307,7 +308,7 @@ Result<Grid> volumeOf(const fs::path& file, const ImportAnswers& answers) {
   return grid;
 }
 
-Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progress& progress, const ReadLimits& limits) {
+Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progress& progress, const ReaderLimits& limits) {
   ImportPreview preview;
   switch (kind) {
     case FileKind::volume: {
@@ -317,7 +318,7 @@ Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progres
       if (series->spacingKnown) preview.spacing_mm = series->grid.spacing_mm;
       return preview;
     }
-    case FileKind::dicomPictures:
+    case FileKind::dicomImages:
     case FileKind::dicomVolume: {
       auto summary = inspectDicom(file, limits);
       if (!summary) return passOn(summary.error());
@@ -333,9 +334,9 @@ Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progres
         whole.mostFrames = 1;
         auto first = readDicomCine(file, whole, progress, limits);
         if (!first) return passOn(first.error());
-        preview.picture.width = first->sequence.width;
-        preview.picture.height = first->sequence.height;
-        preview.picture.pixels = std::move(first->sequence.pixels);
+        preview.image.width = first->sequence.width;
+        preview.image.height = first->sequence.height;
+        preview.image.pixels = std::move(first->sequence.pixels);
         preview.coloured = std::move(first->coloured);
       }
       preview.dicom = *std::move(summary);
@@ -344,14 +345,14 @@ Result<ImportPreview> previewImport(const fs::path& file, FileKind kind, Progres
     case FileKind::dicomStack: {
       auto first = readFirstOfDicomStack(file, progress, limits);
       if (!first) return passOn(first.error());
-      preview.picture = std::move(first->level);
+      preview.image = std::move(first->level);
       preview.spacing_mm = first->spacing_mm;
       return preview;
     }
-    case FileKind::pictures: {
+    case FileKind::images: {
       auto first = readFirstOfStack(file);
       if (!first) return passOn(first.error());
-      preview.picture = std::move(first->level);
+      preview.image = std::move(first->level);
       preview.coloured = std::move(first->coloured);
       return preview;
     }

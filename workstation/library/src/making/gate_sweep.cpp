@@ -39,7 +39,7 @@ bool carries(const Sequence& sequence, std::string_view field) {
 
 }  // namespace
 
-Result<SweepGate> gateSweep(const OpenedSweep& opened, const GateOptions& options, Progress& progress) {
+Result<SweepGate> gateSweep(const SweepInput& opened, const GateOptions& options, Progress& progress) {
   const Sequence& sequence = opened.sequence;
   std::vector<double> time_s, posed_s;
   for (std::size_t n = 0; n < sequence.frames.size(); ++n) {
@@ -79,7 +79,7 @@ Result<SweepGate> gateSweep(const OpenedSweep& opened, const GateOptions& option
   return gate;
 }
 
-Result<Grid> importPhases(const OpenedSweep& opened, const SweepGate& gate, int phases, const KeepPhase& keep, Progress& progress) {
+Result<Grid> importPhases(const SweepInput& opened, const SweepGate& gate, int phases, const KeepPhase& keep, Progress& progress) {
   if (!opened.plan.fits)
     return failure(ErrorCode::tooLarge,
                    say<"A volume of this sweep needs more memory than allowed; use a coarser spacing or allow more memory.">(),

@@ -85,7 +85,7 @@ Message artefactsAreOff() {
 }
 
 /// What only the volume before knew.
-void dropWhatIsLost(GivenVolume& given) {
+void dropWhatIsLost(VolumeReplacement& given) {
   Case& edited = given.edited;
   const bool hadRecipe = !edited.volume.recipe.empty();
   const auto isLost = [&](const CaseTarget& each) {
@@ -129,8 +129,8 @@ Result<NewCasePlan> planOfSource(const CaseSource& source, Progress& progress) {
   return guardedCase({}, [&] { return planSource(source, true, progress); });
 }
 
-Result<MadeCase> makeCase(const NewCase& wanted, const fs::path& folder, Progress& progress) {
-  return guardedCase(folder, [&]() -> Result<MadeCase> {
+Result<CaseCreation> makeCase(const NewCase& wanted, const fs::path& folder, Progress& progress) {
+  return guardedCase(folder, [&]() -> Result<CaseCreation> {
     if (auto isFree = checkIsFree(folder); !isFree) return passOn(isFree.error());
     const fs::path target = targetOf(folder);
     auto draft = draftOf(wanted, target);
@@ -139,13 +139,13 @@ Result<MadeCase> makeCase(const NewCase& wanted, const fs::path& folder, Progres
     if (auto made = outputs.announceFolder(target.parent_path()); !made) return passOn(made.error());
     if (auto announced = outputs.announceNewFolder(target); !announced) return passOn(announced.error());
     const fs::path aside = outputs.staged(target);
-    MadeCase made{*std::move(draft), {}};
+    CaseCreation made{*std::move(draft), {}};
     if (!std::holds_alternative<std::monostate>(wanted.source)) {
       const auto put = putSource(wanted.source, wanted.makesLevel, aside, aside.parent_path() / kScratch, progress);
       if (!put) return passOn(outputs.inGivenNames(put.error()));
       takeIn(made.made, *put);
       if (withoutRecordedArtefacts(made.made.scene)) made.notes.push_back(artefactsAreOff());
-      const ChosenPlace place = choosePlace(put->shape, made.made.mannequin, {}, made.made.region, wanted.fileToWorld);
+      const DefaultPlacement place = choosePlace(put->shape, made.made.mannequin, {}, made.made.region, wanted.fileToWorld);
       made.made.volume.fileToWorld = place.fileToWorld;
       made.contact = place.contact;
       made.frames = put->frames;
@@ -161,8 +161,8 @@ Result<MadeCase> makeCase(const NewCase& wanted, const fs::path& folder, Progres
   });
 }
 
-Result<GivenVolume> giveVolume(const Case& opened, const CaseSource& source, Progress& progress) {
-  return guardedCase(opened.folder, [&]() -> Result<GivenVolume> {
+Result<VolumeReplacement> giveVolume(const Case& opened, const CaseSource& source, Progress& progress) {
+  return guardedCase(opened.folder, [&]() -> Result<VolumeReplacement> {
     if (opened.folder.empty() || isShipped(opened.folder) || isPublished(opened.folder))
       return failure(ErrorCode::notWritable,
                      say<"The case is not your own, so that nothing is put into its folder; save it as your own case first.">());
@@ -171,7 +171,7 @@ Result<GivenVolume> giveVolume(const Case& opened, const CaseSource& source, Pro
     if (auto announced = outputs.announceNewFolder(scratch); !announced) return passOn(announced.error());
     const auto put = putSource(source, true, opened.folder, outputs.staged(scratch), progress);
     if (!put) return passOn(put.error());
-    GivenVolume given{opened};
+    VolumeReplacement given{opened};
     const bool hadNone = hasNoVolume(opened);
     const RecordingRights rights = rightsOf(opened);
     dropWhatIsLost(given);
@@ -180,8 +180,8 @@ Result<GivenVolume> giveVolume(const Case& opened, const CaseSource& source, Pro
     given.notes = put->notes;
     if (hadNone && withoutRecordedArtefacts(given.edited.scene)) given.notes.push_back(artefactsAreOff());
     const bool isPlaced = !hadNone || opened.volume.fileToWorld != Transform<frame::World, frame::File>{};
-    const ChosenPlace place = choosePlace(put->shape, opened.mannequin, opened.folder, opened.region,
-                                          isPlaced ? std::optional(opened.volume.fileToWorld) : std::nullopt);
+    const DefaultPlacement place = choosePlace(put->shape, opened.mannequin, opened.folder, opened.region,
+                                               isPlaced ? std::optional(opened.volume.fileToWorld) : std::nullopt);
     given.edited.volume.fileToWorld = place.fileToWorld;
     given.notes.insert(given.notes.end(), place.notes.begin(), place.notes.end());
     return given;

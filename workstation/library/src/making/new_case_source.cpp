@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using stitching::StitchProject;
 
 /// A volume in memory and what is known about it, before it is put into a case.
-struct MadeVolume {
+struct VolumeDraft {
   Volume volume;
   fs::path level;  // a file that has it already
   std::optional<SweepAxes> axes;
@@ -89,29 +89,28 @@ Result<void> checkSpacing(const SweepFile& sweep) {
   return failure(ErrorCode::badField, say<"The spacing of a voxel must be from 0.1 to 10 mm.">(), {{"field", "spacing"}});
 }
 
-Result<MadeVolume> madeOf(const VolumeFile& given, const fs::path&, Progress& progress) {
+Result<VolumeDraft> madeOf(const VolumeFile& given, const fs::path&, Progress& progress) {
   auto imported = importFile(given.file, given.answers, progress);
   if (!imported) return passOn(imported.error());
   if (!imported->volume)
-    return failure(
-        ErrorCode::unsupported,
-        say<"'%1' holds pictures one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.">(
-            given.file.filename()),
-        {{"file", given.file.string()}});
+    return failure(ErrorCode::unsupported,
+                   say<"'%1' holds images one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.">(
+                       given.file.filename()),
+                   {{"file", given.file.string()}});
   const auto axes = saidAxes(given, imported->volume->grid);
-  return MadeVolume{*std::move(imported->volume), {}, axes, {}, std::move(imported->notes)};
+  return VolumeDraft{*std::move(imported->volume), {}, axes, {}, std::move(imported->notes)};
 }
 
-Result<MadeVolume> madeOf(const VolumeAtHand& given, const fs::path&, Progress&) {
-  return MadeVolume{*given.volume, {}, given.axes ? given.axes : saidAxes(given, given.volume->grid), {}, {}};
+Result<VolumeDraft> madeOf(const VolumeAtHand& given, const fs::path&, Progress&) {
+  return VolumeDraft{*given.volume, {}, given.axes ? given.axes : saidAxes(given, given.volume->grid), {}, {}};
 }
 
-Result<MadeVolume> madeOf(const SweepFile& given, const fs::path&, Progress& progress) {
+Result<VolumeDraft> madeOf(const SweepFile& given, const fs::path&, Progress& progress) {
   if (auto usable = checkSpacing(given); !usable) return passOn(usable.error());
   PartOfProgress opening(progress, 0.0, 0.3), pasting(progress, 0.3, 1.0);
   auto opened = openSweep(given.file, importOptionsFor(given), opening);
   if (!opened) return passOn(opened.error());
-  MadeVolume made;
+  VolumeDraft made;
   made.notes = opened->plan.notes;
   made.axes = sweepAxesOf(posedFrames(*opened));
   made.frames = opened->plan.frames;
@@ -132,10 +131,10 @@ fs::path resultFolderOf(const fs::path& named) {
   return fs::is_directory(named, ignored) ? named : named.parent_path();
 }
 
-Result<MadeVolume> readStitched(const fs::path& folder, Progress& progress) {
+Result<VolumeDraft> readStitched(const fs::path& folder, Progress& progress) {
   auto read = readVolume(folder / "volume.mha", progress);
   if (!read) return passOn(read.error());
-  MadeVolume made{std::move(read->volume), {}, {}, {}, std::move(read->notes)};
+  VolumeDraft made{std::move(read->volume), {}, {}, {}, std::move(read->notes)};
   std::error_code ignored;
   if (fs::is_regular_file(folder / "coverage.mha", ignored))
     if (auto covered = readCoverageInto(made.volume, folder / "coverage.mha"); !covered) return passOn(covered.error());
@@ -149,7 +148,7 @@ Result<StitchProject> readProject(const fs::path& file) {
   return stitching::parseProject(*text, fs::absolute(file).parent_path());
 }
 
-Result<MadeVolume> stitchedOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
+Result<VolumeDraft> stitchedOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
   if (!hasEnding(given.file, ".json")) return readStitched(resultFolderOf(given.file), progress);
   const auto project = readProject(given.file);
   if (!project) return passOn(project.error());
@@ -169,17 +168,17 @@ Result<MadeVolume> stitchedOf(const StitchingResult& given, const fs::path& scra
   return made;
 }
 
-Result<MadeVolume> madeOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
+Result<VolumeDraft> madeOf(const StitchingResult& given, const fs::path& scratch, Progress& progress) {
   auto made = stitchedOf(given, scratch, progress);
   if (made) made->axes = saidAxes(given, made->volume.grid);
   return made;
 }
 
-Result<MadeVolume> madeOf(const std::monostate&, const fs::path&, Progress&) {
+Result<VolumeDraft> madeOf(const std::monostate&, const fs::path&, Progress&) {
   return failure(ErrorCode::badUsage, say<"No volume is named; choose a volume, a recording or a stitched result.">());
 }
 
-Result<std::string> addLevel(const MadeVolume& made, const fs::path& caseFolder, Progress& progress) {
+Result<std::string> addLevel(const VolumeDraft& made, const fs::path& caseFolder, Progress& progress) {
   if (!made.level.empty()) return addVolumeFile(made.level, caseFolder, progress);
   PartOfProgress levelling(progress, 0.0, 0.8), writing(progress, 0.8, 1.0);
   auto level = levelOf(made.volume, {}, levelling);
@@ -286,12 +285,11 @@ Result<CaseSource> sourceOf(const fs::path& file) {
   const auto kind = kindOfFile(file);
   if (!kind) return passOn(kind.error());
   if (*kind == FileKind::sweep) return CaseSource(SweepFile{.file = file});
-  if (*kind == FileKind::film || *kind == FileKind::dicomPictures)
-    return failure(
-        ErrorCode::unsupported,
-        say<"'%1' holds pictures one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.">(
-            file.filename()),
-        {{"file", file.string()}});
+  if (*kind == FileKind::film || *kind == FileKind::dicomImages)
+    return failure(ErrorCode::unsupported,
+                   say<"'%1' holds images one by one and no volume; a case needs a volume, a recording with poses, or a stitched result.">(
+                       file.filename()),
+                   {{"file", file.string()}});
   return CaseSource(VolumeFile{.file = file});
 }
 
@@ -325,9 +323,9 @@ Result<NewCasePlan> planSource(const CaseSource& source, bool makesLevel, Progre
   return std::visit([&](const auto& given) { return planned(given, makesLevel, progress); }, source);
 }
 
-ChosenPlace choosePlace(const PlacingShape& shape, const std::string& mannequin, const fs::path& caseFolder, const std::string& region,
-                        const std::optional<Transform<frame::World, frame::File>>& given) {
-  ChosenPlace place;
+DefaultPlacement choosePlace(const PlacingShape& shape, const std::string& mannequin, const fs::path& caseFolder, const std::string& region,
+                             const std::optional<Transform<frame::World, frame::File>>& given) {
+  DefaultPlacement place;
   const auto skin = skinOfMannequin(mannequin, caseFolder);
   if (given) {
     place.fileToWorld = *given;

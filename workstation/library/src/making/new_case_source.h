@@ -33,12 +33,12 @@ struct SourceInCase {
 
 /// Where a volume comes to lie when nobody says: at the usual place of a region.
 /// @return the identity and a note where the mannequin has no named places or no skin
-struct ChosenPlace {
+struct DefaultPlacement {
   Transform<frame::World, frame::File> fileToWorld = {};
   std::optional<Contact> contact = {};
   std::vector<Message> notes = {};
 };
-[[nodiscard]] ChosenPlace choosePlace(const PlacingShape& shape, const std::string& mannequin, const std::filesystem::path& caseFolder,
-                                      const std::string& region, const std::optional<Transform<frame::World, frame::File>>& given);
+[[nodiscard]] DefaultPlacement choosePlace(const PlacingShape& shape, const std::string& mannequin, const std::filesystem::path& caseFolder,
+                                           const std::string& region, const std::optional<Transform<frame::World, frame::File>>& given);
 
 }  // namespace ew

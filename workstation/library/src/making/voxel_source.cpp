@@ -4,8 +4,8 @@
 
 namespace ew {
 
-Result<TracedSweep> importTracedSweep(OpenedSweep opened, const std::filesystem::path& sweep, const SweepImportOptions& options,
-                                      Progress& progress) {
+Result<SweepReconstruction> importTracedSweep(SweepInput opened, const std::filesystem::path& sweep, const SweepImportOptions& options,
+                                              Progress& progress) {
   EW_EXPECTS(opened.plan.reconstruct.keepSource);
   SweepImportOptions kept = options;
   // A delay that was found out need not be found out again.
@@ -25,7 +25,7 @@ Result<TracedSweep> importTracedSweep(OpenedSweep opened, const std::filesystem:
   if (!imported) return passOn(imported.error());
   provenance.grid = imported->reconstruction.volume.grid;
   provenance.source = std::move(imported->reconstruction.source);
-  return TracedSweep{std::move(*imported), std::move(provenance)};
+  return SweepReconstruction{std::move(*imported), std::move(provenance)};
 }
 
 Point<frame::World> pointShownAt(const DisplayGeometry& geometry, const Pose& pose, const glm::dvec2& pixel) {
@@ -43,9 +43,9 @@ VoxelSource voxelSourceAt(const Provenance& provenance, const Volume& volume, co
   answer.voxel = glm::ivec3(nearest);
   answer.at_recorded = provenance.grid.voxelToWorld() * at_voxel;
   answer.coverage = volume.coverageAt(volume.grid.indexOf(answer.voxel.x, answer.voxel.y, answer.voxel.z));
-  std::vector<PosedFrame> frames;
+  std::vector<TrackedFrame> frames;
   frames.reserve(provenance.frames.size());
-  for (const TracedFrame& frame : provenance.frames) frames.push_back({{}, frame.imageToWorld});
+  for (const FrameProvenance& frame : provenance.frames) frames.push_back({{}, frame.imageToWorld});
   const auto source = sourceFrameAt(provenance.grid, provenance.source, frames, answer.at_recorded);
   answer.found = source ? VoxelSource::Found::frame : VoxelSource::Found::absent;
   if (!source) return answer;
@@ -61,7 +61,7 @@ Result<Sequence> readTracedImages(const Provenance& provenance, Progress& progre
   const Sequence& sequence = opened->sequence;
   bool same = sequence.width == provenance.width_px && sequence.height == provenance.height_px &&
               sequence.frames.size() == provenance.recordedFrames && opened->poses.usable == provenance.frames.size();
-  same = same && std::all_of(provenance.frames.begin(), provenance.frames.end(), [&](const TracedFrame& frame) {
+  same = same && std::all_of(provenance.frames.begin(), provenance.frames.end(), [&](const FrameProvenance& frame) {
            return opened->poses.imageToWorld[frame.number] == frame.imageToWorld && sequence.frames[frame.number].time_s == frame.time_s;
          });
   if (!same)

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "case/handed_on.h"
+#include "case/outgoing_case.h"
 #include "ew/core/output_set.h"
 #include "ew/core/version.h"
 #include "ew/library/kept_examination.h"

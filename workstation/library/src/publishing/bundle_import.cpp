@@ -85,8 +85,8 @@ Result<BundleHeader> verifyBundle(const fs::path& file, const BundleLimits& limi
   });
 }
 
-Result<PublishedCase> importBundle(const fs::path& file, const fs::path& library, const BundleLimits& limits, Progress& progress) {
-  return guardedCase(file, [&]() -> Result<PublishedCase> {
+Result<CaseRevision> importBundle(const fs::path& file, const fs::path& library, const BundleLimits& limits, Progress& progress) {
+  return guardedCase(file, [&]() -> Result<CaseRevision> {
     const auto header = readBundleHeader(file, limits);
     if (!header) return passOn(header.error());
     if (auto same = revisionWith(library, header->id, header->files)) return *same;

@@ -74,8 +74,8 @@ const std::string& lessonsFolder() {
 void addLesson(const Lesson& lesson, FileUses& uses) {
   const Message by = say<"the lesson '%1'">(lesson.title);
   for (const LessonStep& step : lesson.steps) {
-    if (const auto* read = std::get_if<ReadTask>(&step.task); read != nullptr && !read->picture.empty())
-      uses.add(lessonsFolder() + read->picture, by);
+    if (const auto* read = std::get_if<ReadingTask>(&step.task); read != nullptr && !read->image.empty())
+      uses.add(lessonsFolder() + read->image, by);
     const auto* watch = std::get_if<WatchTask>(&step.task);
     if (watch == nullptr || watch->recording.empty()) continue;
     uses.add(lessonsFolder() + watch->recording, by);
@@ -149,7 +149,7 @@ class UsesOfCase {
     for (const std::string& each : volume.sweeps) uses_.add(each, say<"its virtual patient">());
     uses_.add(opened.mannequin, say<"its mannequin">());
     for (const CaseExamination& each : opened.previousExaminations)
-      for (const std::string& picture : each.pictures) uses_.add(picture, say<"an earlier examination">());
+      for (const std::string& image : each.images) uses_.add(image, say<"an earlier examination">());
     if (opened.sealed) uses_.add(opened.sealed->file, say<"its sealed answers">());
     const auto lessons = lessonsOf(opened);
     hasUnknownLessons_ = !lessons;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "case/handed_on.h"
+#include "case/outgoing_case.h"
 #include "case/revisions.h"
 #include "ew/library/published.h"
 #include "ew/library/publishing.h"
@@ -29,7 +29,7 @@ Result<bool> linked(const fs::path& earlier, const fs::path& to, const FileSum& 
   return !problem;
 }
 
-Result<void> copyFiles(const CaseToHandOn& from, const std::optional<PublishedCase>& earlier, const fs::path& to, ByteCount& count) {
+Result<void> copyFiles(const CaseToHandOn& from, const std::optional<CaseRevision>& earlier, const fs::path& to, ByteCount& count) {
   std::vector<FileSum> before;
   if (earlier) before = sumsOfComplete(earlier->folder).value_or(std::vector<FileSum>());
   for (const FileSum& each : from.files) {
@@ -54,12 +54,12 @@ std::vector<Case> casesAround(const fs::path& caseFolder, const fs::path& librar
   std::vector<Case> all = listCases(fs::weakly_canonical(caseFolder).parent_path()).cases;
   if (const auto shipped = shippedCasesFolder())
     for (Case& each : listCases(*shipped).cases) all.push_back(std::move(each));
-  for (const PublishedCase& each : listPublished(library))
+  for (const CaseRevision& each : listPublished(library))
     if (auto opened = loadCase(each.folder)) all.push_back(*std::move(opened));
   return all;
 }
 
-std::optional<PublishedCase> sameAsLatest(const CaseToHandOn& from, const fs::path& library, const std::optional<PublishedCase>& latest) {
+std::optional<CaseRevision> sameAsLatest(const CaseToHandOn& from, const fs::path& library, const std::optional<CaseRevision>& latest) {
   if (!latest) return std::nullopt;
   auto same = revisionWith(library, from.opened.id, from.files);
   return same && same->revision == latest->revision ? same : std::nullopt;
@@ -85,8 +85,8 @@ Result<void> checkReady(const Case& opened, const fs::path& library) {
 
 }  // namespace
 
-Result<PublishedCase> publishCase(const fs::path& caseFolder, const fs::path& library, Progress& progress) {
-  return guardedCase(caseFolder, [&]() -> Result<PublishedCase> {
+Result<CaseRevision> publishCase(const fs::path& caseFolder, const fs::path& library, Progress& progress) {
+  return guardedCase(caseFolder, [&]() -> Result<CaseRevision> {
     PartOfProgress summing(progress, 0.0, 0.3), copying(progress, 0.3, 1.0);
     const auto from = caseToHandOn(caseFolder, summing);
     if (!from) return passOn(from.error());
@@ -103,8 +103,8 @@ Result<PublishedCase> publishCase(const fs::path& caseFolder, const fs::path& li
   });
 }
 
-Result<std::optional<PublishedCase>> publishedAsItIs(const fs::path& caseFolder, const fs::path& library, Progress& progress) {
-  return guardedCase(caseFolder, [&]() -> Result<std::optional<PublishedCase>> {
+Result<std::optional<CaseRevision>> publishedAsItIs(const fs::path& caseFolder, const fs::path& library, Progress& progress) {
+  return guardedCase(caseFolder, [&]() -> Result<std::optional<CaseRevision>> {
     const auto from = caseToHandOn(caseFolder, progress);
     if (!from) return passOn(from.error());
     return sameAsLatest(*from, library, latestPublished(library, from->opened.id));

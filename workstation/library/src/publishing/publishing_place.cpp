@@ -40,7 +40,7 @@ bool isWithin(const Grid& grid, const Transform<frame::Voxel, frame::World>& wor
   return glm::all(glm::greaterThanEqual(ijk, glm::dvec3(-0.5))) && glm::all(glm::lessThan(ijk, glm::dvec3(grid.dims) - 0.5));
 }
 
-/// Whether a picture of 17 lines, looked at every 3 mm down to the probe's usual depth, meets the grid.
+/// Whether an image of 17 lines, looked at every 3 mm down to the probe's usual depth, meets the grid.
 bool sees(const Probe& probe, const Transform<frame::World, frame::Probe>& probeToWorld, const Grid& grid) {
   constexpr double kStep_mm = 3.0;
   constexpr int kLines = 17;
@@ -63,7 +63,7 @@ std::optional<Probe> firstProbeOf(const Case& opened) {
   return named == probes->end() ? probes->front() : *named;
 }
 
-/// Whether two poses show about the same picture, whichever way the marker points.
+/// Whether two poses show about the same image, whichever way the marker points.
 bool areAlike(const Transform<frame::World, frame::Probe>& a, const Transform<frame::World, frame::Probe>& b, double most_mm,
               double most_deg) {
   const glm::dmat3 between = glm::transpose(glm::dmat3(a.matrix)) * glm::dmat3(b.matrix);

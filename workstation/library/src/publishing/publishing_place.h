@@ -7,7 +7,7 @@
 
 namespace ew {
 
-/// Whether a picture of the case's first probe, from its start, meets the box of the volume; nothing when neither is known.
+/// Whether an image of the case's first probe, from its start, meets the box of the volume; nothing when neither is known.
 [[nodiscard]] std::optional<bool> startSeesVolume(const Case& opened);
 
 /// Whether the start lies within the tolerance of the expert's pose or of a plane whose name gives the finding away.

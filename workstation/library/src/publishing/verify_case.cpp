@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "case/handed_on.h"
+#include "case/outgoing_case.h"
 #include "ew/library/case.h"
 #include "ew/library/checksums.h"
 #include "ew/library/content_name.h"

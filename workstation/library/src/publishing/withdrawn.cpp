@@ -6,7 +6,7 @@
 #include "ew/library/case.h"
 #include "ew/library/folder_lease.h"
 #include "ew/library/instructor_log.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/published.h"
 #include "publishing/stamped_place.h"
 

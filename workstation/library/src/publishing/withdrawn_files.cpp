@@ -136,7 +136,7 @@ std::vector<std::pair<int, std::vector<std::string>>> stillPublished(const Withd
   std::vector<std::pair<std::string, std::string>> sums;  // path and sum
   for (const std::string& path : taken.paths)
     if (auto sum = sha256Of(taken.folder / path)) sums.emplace_back(path, *std::move(sum));
-  for (const PublishedCase& each : revisions) {
+  for (const CaseRevision& each : revisions) {
     const auto files = readSums(each.folder);
     if (!files) continue;
     std::vector<std::string> there;

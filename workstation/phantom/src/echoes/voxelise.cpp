@@ -197,7 +197,7 @@ tl::unexpected<Error> tooLargeAt(const VoxeliseOptions& options, double forecast
 /// Fills a volume piece by piece: strips of a slab, cut into blocks for which only the organs nearby are asked.
 class VolumePainter {
  public:
-  VolumePainter(const Patient& patient, const VoxeliseOptions& options, const Progress& progress, VoxelisedPatient& made)
+  VolumePainter(const Patient& patient, const VoxeliseOptions& options, const Progress& progress, VoxelPatient& made)
       : patient_(patient),
         options_(options),
         progress_(progress),
@@ -252,7 +252,7 @@ class VolumePainter {
   const Patient& patient_;
   const VoxeliseOptions& options_;
   const Progress& progress_;
-  VoxelisedPatient& made_;
+  VoxelPatient& made_;
   const Grid& grid_;
   Painter painter_;
   MapPainter maps_;
@@ -408,14 +408,14 @@ double voxeliseForecast_bytes(const Patient& patient, double spacing_mm, bool ma
   return bytes + slice * grid.dims.z * (3.0 + phantom::kSurfaceBytesPerVoxel) + phantom::spreadForecast_bytes(grid, 0);
 }
 
-Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress) {
+Result<VoxelPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress) {
   if (!(options.spacing_mm >= 0.01 && options.spacing_mm <= 1000.0))
     return failure(ErrorCode::badField, say<"The voxel spacing is %1 mm; choose one from 0.01 to 1000 mm.">(textOf(options.spacing_mm)),
                    {{"field", "spacing_mm"}});
   const double forecast = voxeliseForecast_bytes(patient, options.spacing_mm, options.maps);
   if (forecast > static_cast<double>(options.maxBytes)) return tooLargeAt(options, forecast);
 
-  VoxelisedPatient made;
+  VoxelPatient made;
   Volume& volume = made.volume;
   volume.grid = voxelGridOf(patient, options.spacing_mm);
   if (const auto usable = checkGrid(volume.grid); !usable) return passOn(usable.error());

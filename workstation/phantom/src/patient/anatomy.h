@@ -52,7 +52,7 @@ class Patient {
   std::vector<phantom::Organ> organs;  ///< by priority; at most 254
   glm::dvec2 beamAxis_mm{0.0, 110.0};  ///< x and y of the vertical line that beams from all over the skin run towards: where borders shine
   std::vector<PatientParameter> parameters;
-  phantom::NamedShapes shapes;  ///< every shape and organ by name, as drawn
+  phantom::ShapesByName shapes;  ///< every shape and organ by name, as drawn
   phantom::Motion motion;
   std::vector<phantom::MeasurementRequest> measurements;
   std::vector<StandardPlane> planes;

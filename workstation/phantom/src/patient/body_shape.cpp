@@ -38,7 +38,7 @@ Result<std::unique_ptr<BodyShape>> readBodyShape(const std::filesystem::path& re
   fields.text("name");
   if (!fields.has("body")) fields.refuse("body", say<"a shape">());
   phantom::ShapePtr shape;
-  const phantom::NamedFrames frames = phantom::readFrames(fields);
+  const phantom::FramesByName frames = phantom::readFrames(fields);
   if (reading.good()) shape = phantom::readShape(fields.object("body"), {}, frames);
   if (reading.problem()) return passOn(*reading.problem());
   return std::make_unique<RecipeBody>(std::move(shape));

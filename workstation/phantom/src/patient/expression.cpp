@@ -16,7 +16,7 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 /// Recursive descent: sum, product, sign, atom. After a problem every rule returns 0 and nothing is read any more.
 class Parser {
  public:
-  Parser(std::string_view text, const NamedValue& named) : text_(text), named_(named) {}
+  Parser(std::string_view text, const ValueByName& named) : text_(text), named_(named) {}
 
   OrExpected<double> whole() {
     const double value = sum(0);
@@ -122,14 +122,14 @@ class Parser {
   }
 
   std::string_view text_;
-  const NamedValue& named_;
+  const ValueByName& named_;
   std::size_t at_ = 0;
   std::optional<Message> problem_;
 };
 
 }  // namespace
 
-OrExpected<double> valueOf(std::string_view text, const NamedValue& named) {
+OrExpected<double> valueOf(std::string_view text, const ValueByName& named) {
   if (text.size() > kLongest) return tl::unexpected(say<"an expression of at most %1 characters">(kLongest));
   return Parser(text, named).whole();
 }

@@ -15,11 +15,11 @@ template <class T>
 using OrExpected = tl::expected<T, Message>;
 
 /// The value of a name, or nothing when there is no such name. It may fail for reasons of its own.
-using NamedValue = std::function<OrExpected<std::optional<double>>(const std::string& name)>;
+using ValueByName = std::function<OrExpected<std::optional<double>>(const std::string& name)>;
 
 /// The value of a small arithmetic expression: numbers, names, + - * / and parentheses, min(a, b, ...) and max(a, b, ...).
 /// @param text at most 1000 characters, nested at most 50 deep
 /// Division by zero, a result that is not finite and a name that is not known are refused.
-[[nodiscard]] OrExpected<double> valueOf(std::string_view text, const NamedValue& named);
+[[nodiscard]] OrExpected<double> valueOf(std::string_view text, const ValueByName& named);
 
 }  // namespace ew::phantom

@@ -39,7 +39,7 @@ std::vector<glm::dvec3> readTrunk(const JsonFields& object, const DrawingFrame* 
 }
 
 /// Growing asks its organ and what it avoids for each place it tries: a recipe of a few lines must not take minutes.
-void refuseSlowGrowth(const JsonFields& object, const VesselGrowth& growth, const NamedShapes& known) {
+void refuseSlowGrowth(const JsonFields& object, const VesselGrowth& growth, const ShapesByName& known) {
   double solids = growth.within->solids();
   for (const ShapePtr& other : growth.avoid) solids += other->solids();
   if (solids * growth.ends > kMostQuestions)
@@ -53,7 +53,7 @@ void refuseSlowGrowth(const JsonFields& object, const VesselGrowth& growth, cons
 
 }  // namespace
 
-ShapePtr readVesselTree(const JsonFields& object, const NamedShapes& known, const DrawingFrame* frame) {
+ShapePtr readVesselTree(const JsonFields& object, const ShapesByName& known, const DrawingFrame* frame) {
   object.only({"within", "trunks", "ends", "end_radius_mm", "margin_mm", "avoid", "clearance_mm", "seed"});
   VesselGrowth growth;
   growth.within = shapeNamed(object, "within", known);
@@ -76,7 +76,7 @@ ShapePtr readVesselTree(const JsonFields& object, const NamedShapes& known, cons
   return !object.good() ? nullptr : makeVesselTree(growVesselTree(growth), growth.seed);
 }
 
-ShapePtr readVesselsBeside(const JsonFields& object, const NamedShapes& known) {
+ShapePtr readVesselsBeside(const JsonFields& object, const ShapesByName& known) {
   object.only({"of", "ratio", "least_radius_mm", "gap_mm", "side"});
   const ShapePtr of = shapeNamed(object, "of", known);
   VesselsBeside beside;
@@ -93,7 +93,7 @@ ShapePtr readVesselsBeside(const JsonFields& object, const NamedShapes& known) {
   return !object.good() ? nullptr : makeVesselTree(std::move(tree), 1);
 }
 
-ShapePtr readRough(const JsonFields& object, const NamedShapes& known) {
+ShapePtr readRough(const JsonFields& object, const ShapesByName& known) {
   object.only({"of", "amplitude_mm", "length_mm", "seed"});
   ShapePtr of = shapeNamed(object, "of", known);
   Roughness rough;
@@ -103,7 +103,7 @@ ShapePtr readRough(const JsonFields& object, const NamedShapes& known) {
   return !object.good() ? nullptr : makeRough(std::move(of), rough);
 }
 
-ShapePtr readSheets(const JsonFields& object, const NamedShapes& known) {
+ShapePtr readSheets(const JsonFields& object, const ShapesByName& known) {
   object.only({"of", "from_depth_mm", "to_depth_mm", "spacing_mm", "thickness_mm", "undulation_mm", "length_mm", "missing", "seed"});
   ShapePtr of = shapeNamed(object, "of", known);
   Sheets sheets;
@@ -121,7 +121,7 @@ ShapePtr readSheets(const JsonFields& object, const NamedShapes& known) {
   return !object.good() ? nullptr : makeSheets(std::move(of), sheets);
 }
 
-ShapePtr readSepta(const JsonFields& object, const NamedShapes& known) {
+ShapePtr readSepta(const JsonFields& object, const ShapesByName& known) {
   object.only({"of", "from_depth_mm", "to_depth_mm", "lobule_mm", "thickness_mm", "seed"});
   ShapePtr of = shapeNamed(object, "of", known);
   Septa septa;

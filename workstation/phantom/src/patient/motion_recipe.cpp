@@ -26,7 +26,7 @@ BodyRhythm readRhythm(const JsonFields& object, double period_s) {
   return rhythm;
 }
 
-Breathing readBreathing(const JsonFields& object, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes, Progress& progress) {
+Breathing readBreathing(const JsonFields& object, const Bounds& box, const ShapePtr& skin, const ShapesByName& shapes, Progress& progress) {
   Breathing breathing;
   object.only({"period_s", "variation", "pause", "displacement_mm", "held_depth_mm", "free_depth_mm", "held_by", "free_distance_mm",
                "grows_along_z_mm", "tidal"});
@@ -79,7 +79,7 @@ Breathing readBreathing(const JsonFields& object, const Bounds& box, const Shape
   return breathing;
 }
 
-PulsingVessel readVessel(const JsonFields& object, const NamedShapes& shapes) {
+PulsingVessel readVessel(const JsonFields& object, const ShapesByName& shapes) {
   PulsingVessel vessel;
   object.only({"of", "diameter_growth_mm", "reach_mm", "fade_mm"});
   const std::string name = object.text("of");
@@ -110,7 +110,7 @@ PulsingVessel readVessel(const JsonFields& object, const NamedShapes& shapes) {
   return vessel;
 }
 
-BeatingChamber readChamber(const JsonFields& object, const NamedShapes& shapes) {
+BeatingChamber readChamber(const JsonFields& object, const ShapesByName& shapes) {
   BeatingChamber chamber;
   object.only({"of", "inward_mm", "reach_mm"});
   const std::string name = object.text("of");
@@ -131,7 +131,7 @@ BeatingChamber readChamber(const JsonFields& object, const NamedShapes& shapes) 
   return chamber;
 }
 
-Bowel readBowel(const JsonFields& object, const NamedShapes& shapes) {
+Bowel readBowel(const JsonFields& object, const ShapesByName& shapes) {
   Bowel bowel;
   object.only({"period_s", "variation", "organs", "sway_mm", "wavelength_mm", "fade_mm"});
   if (!object.good()) return bowel;
@@ -200,7 +200,7 @@ double ShareField::steepestFall(const glm::dvec3& direction) const {
   return least;
 }
 
-Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes, Progress& progress) {
+Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& skin, const ShapesByName& shapes, Progress& progress) {
   Motion read;
   motion.only({"breathing", "pulse", "bowel"});
   if (!motion.good()) return read;

@@ -79,7 +79,7 @@ struct Motion {
 };
 
 /// Reads "motion" of a recipe: null after a problem, unfinished after the wish to cancel. Motion that would fold tissue is refused.
-[[nodiscard]] Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& skin, const NamedShapes& shapes,
+[[nodiscard]] Motion readMotion(const JsonFields& motion, const Bounds& box, const ShapePtr& skin, const ShapesByName& shapes,
                                 Progress& progress);
 
 }  // namespace ew::phantom

@@ -5,7 +5,7 @@
 
 #include "ew/core/numbers.h"
 #include "patient/anatomy.h"
-#include "patient/kept_distance.h"
+#include "patient/distance_cache.h"
 #include "patient/recipe.h"
 #include "patient/whole_recipe.h"
 
@@ -115,8 +115,8 @@ std::optional<phantom::Border> readBorder(const JsonFields& object) {
   return read;
 }
 
-void readOrgans(const JsonFields& recipe, phantom::NamedShapes known, Patient& patient) {
-  const phantom::NamedFrames frames = phantom::readFrames(recipe);
+void readOrgans(const JsonFields& recipe, phantom::ShapesByName known, Patient& patient) {
+  const phantom::FramesByName frames = phantom::readFrames(recipe);
   const auto newName = [&known](const JsonFields& entry) {
     std::string name = entry.text("name");
     if (known.count(name) > 0) entry.refuse("name", say<"a name that is not taken yet">());

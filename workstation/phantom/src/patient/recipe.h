@@ -39,23 +39,23 @@ template <class Range, class NameOf>
 [[nodiscard]] Result<nlohmann::json> readRecipe(const std::filesystem::path& file, const Message& kind);
 
 /// Shapes that a recipe can refer to by name.
-using NamedShapes = std::map<std::string, ShapePtr>;
+using ShapesByName = std::map<std::string, ShapePtr>;
 
 /// The shape that a field names; null after a problem.
-[[nodiscard]] ShapePtr shapeNamed(const JsonFields& object, const std::string& field, const NamedShapes& known);
+[[nodiscard]] ShapePtr shapeNamed(const JsonFields& object, const std::string& field, const ShapesByName& known);
 
 /// Frames that a recipe can draw shapes in, by name.
-using NamedFrames = std::map<std::string, DrawingFrame>;
+using FramesByName = std::map<std::string, DrawingFrame>;
 
 /// The recipe's "frames": each with a name, an origin and turns about x, then y, then z, given in the world or in the earlier frame
 /// it names with "within". Empty when the recipe has none.
-[[nodiscard]] NamedFrames readFrames(const JsonFields& recipe);
+[[nodiscard]] FramesByName readFrames(const JsonFields& recipe);
 
 /// The shape that a JSON object describes: exactly one of ellipsoid, capsule, tube, loft, half_space, shell, grown, rough,
 /// sheets, septa, patches, vessel_tree, vessels_beside, union, intersection, difference, or "of" with the name of an earlier shape; with
 /// "mirrored": true also its mirror image in x = 0. With "frame" what it draws, its parts and its mirror image are in that frame; shapes it
 /// names stay where they are. A shape of more than 20000 solids, a shared one counted at every use, or of more than 100 shapes inside one
 /// another is refused: it could not be evaluated. Null after a problem. See the schemas of patients and mannequins for the fields.
-[[nodiscard]] ShapePtr readShape(const JsonFields& object, const NamedShapes& known, const NamedFrames& frames = {});
+[[nodiscard]] ShapePtr readShape(const JsonFields& object, const ShapesByName& known, const FramesByName& frames = {});
 
 }  // namespace ew::phantom

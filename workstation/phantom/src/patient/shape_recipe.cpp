@@ -121,7 +121,7 @@ const typename Table::mapped_type* entryNamed(const JsonFields& object, const st
   return nullptr;
 }
 
-ShapePtr readShell(const JsonFields& object, const NamedShapes& known) {
+ShapePtr readShell(const JsonFields& object, const ShapesByName& known) {
   object.only({"of", "from_depth_mm", "to_depth_mm"});
   ShapePtr of = shapeNamed(object, "of", known);
   const double from = object.number("from_depth_mm", -kLargest_mm, kLargest_mm);
@@ -131,7 +131,7 @@ ShapePtr readShell(const JsonFields& object, const NamedShapes& known) {
   return !object.good() ? nullptr : makeShell(std::move(of), from, to);
 }
 
-ShapePtr readGrown(const JsonFields& object, const NamedShapes& known) {
+ShapePtr readGrown(const JsonFields& object, const ShapesByName& known) {
   object.only({"of", "by_mm"});
   ShapePtr of = shapeNamed(object, "of", known);
   const double by = object.number("by_mm", -kLargest_mm, kLargest_mm);
@@ -176,8 +176,8 @@ std::vector<ReliefLine> readRelief(const JsonFields& object, const DrawingFrame*
 /// What a shape is read with: the shapes and frames it may name, the frame it is drawn in, how deep it is nested, and how many solids the
 /// whole shape has so far.
 struct Surroundings {
-  const NamedShapes& known;
-  const NamedFrames& frames;
+  const ShapesByName& known;
+  const FramesByName& frames;
   double& solids;
   const DrawingFrame* frame = nullptr;
   int depth = 0;
@@ -185,11 +185,11 @@ struct Surroundings {
 
 ShapePtr shapeIn(const JsonFields& object, Surroundings around);
 
-std::vector<BlendedPart> readParts(const JsonFields& object, const std::string& field, Surroundings around) {
-  std::vector<BlendedPart> parts;
+std::vector<BlendPart> readParts(const JsonFields& object, const std::string& field, Surroundings around) {
+  std::vector<BlendPart> parts;
   ++around.depth;
   for (const JsonFields& each : object.objects(field, 1, kMostParts)) {
-    BlendedPart part{shapeIn(each, around), 0.0};
+    BlendPart part{shapeIn(each, around), 0.0};
     if (each.good()) part.blend_mm = each.number("blend_mm", 0.0, kLargest_mm, 0.0);
     parts.push_back(std::move(part));
   }
@@ -257,7 +257,7 @@ ShapePtr drawnIn(const JsonFields& object, const std::string& kind, Surroundings
   if (kind == "vessels_beside") shape = readVesselsBeside(inner, around.known);
   if (kind == "of") shape = shapeNamed(object, "of", around.known);
   if (kind == "union" || kind == "intersection" || kind == "difference") {
-    std::vector<BlendedPart> parts = readParts(object, kind, around);
+    std::vector<BlendPart> parts = readParts(object, kind, around);
     if (!object.good()) return nullptr;
     return kind == "union"          ? makeUnion(std::move(parts))
            : kind == "intersection" ? makeIntersection(std::move(parts))
@@ -291,13 +291,13 @@ ShapePtr shapeIn(const JsonFields& object, Surroundings around) {
 
 }  // namespace
 
-ShapePtr shapeNamed(const JsonFields& object, const std::string& field, const NamedShapes& known) {
+ShapePtr shapeNamed(const JsonFields& object, const std::string& field, const ShapesByName& known) {
   const ShapePtr* found = entryNamed(object, field, known, say<"a shape described before this one">());
   return found ? *found : nullptr;
 }
 
-NamedFrames readFrames(const JsonFields& recipe) {
-  NamedFrames frames;
+FramesByName readFrames(const JsonFields& recipe) {
+  FramesByName frames;
   for (const JsonFields& entry : recipe.objects("frames", 0, 100)) {
     entry.only({"origin_mm", "turned_deg", "within"});
     const std::string name = entry.text("name");
@@ -314,7 +314,7 @@ NamedFrames readFrames(const JsonFields& recipe) {
   return frames;
 }
 
-ShapePtr readShape(const JsonFields& object, const NamedShapes& known, const NamedFrames& frames) {
+ShapePtr readShape(const JsonFields& object, const ShapesByName& known, const FramesByName& frames) {
   double solids = 0.0;
   return shapeIn(object, {known, frames, solids});
 }

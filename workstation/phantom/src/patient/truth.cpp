@@ -351,9 +351,9 @@ Taken circumferenceOf(const Patient& patient, const MeasurementRequest& request,
 }
 
 /// The part of a cube of size h at p that the organs own: what organs of higher priority and the outside of the skin take is not theirs.
-class OwnedShare {
+class OrganShare {
  public:
-  OwnedShare(const Patient& patient, const std::vector<std::string>& names) : patient_(patient), names_(names) {
+  OrganShare(const Patient& patient, const std::vector<std::string>& names) : patient_(patient), names_(names) {
     for (const phantom::Organ& organ : patient.organs) asked_.push_back(std::find(names.begin(), names.end(), organ.name) != names.end());
     drawn_ = std::none_of(asked_.begin(), asked_.end(), [](bool asked) { return asked; });
   }
@@ -393,7 +393,7 @@ Taken volumeOf(const Patient& patient, const MeasurementRequest& request, const 
   const glm::dvec3 size = glm::max(box.highest_mm - box.lowest_mm, glm::dvec3(0.01));
   const double h = std::clamp(std::cbrt(size.x * size.y * size.z / kCubes), 0.1, 2.0);
   const glm::ivec3 blocks = glm::ivec3(glm::ceil(size / (h * kBlock))) + 1;
-  const OwnedShare share(patient, request.of);
+  const OrganShare share(patient, request.of);
   const double radius = 0.5 * std::sqrt(3.0) * kBlock * h;
   double sum = 0.0;
   for (int bk = 0; bk < blocks.z; ++bk)

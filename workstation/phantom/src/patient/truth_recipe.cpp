@@ -14,12 +14,12 @@ constexpr std::size_t kMostTruthEntries = 200;
 constexpr double kFarthestSkin_mm = 1000.0;
 constexpr double kLongestLine_mm = 5000.0;  // it is walked in small steps
 
-void refuseUnlessKnown(const JsonFields& object, const std::string& key, const std::string& name, const NamedShapes& shapes) {
+void refuseUnlessKnown(const JsonFields& object, const std::string& key, const std::string& name, const ShapesByName& shapes) {
   if (shapes.count(name) == 0) object.refuse(key, shown(name), say<"the name of a shape or organ">());
 }
 
 /// One name or a list of them.
-std::vector<std::string> readNames(const JsonFields& object, const std::string& key, const NamedShapes& shapes) {
+std::vector<std::string> readNames(const JsonFields& object, const std::string& key, const ShapesByName& shapes) {
   if (!object.has(key)) return {};
   const bool single = object.find(key)->is_string();
   auto names = single ? std::vector<std::string>{object.text(key)} : object.texts(key, 1, 50);
@@ -43,7 +43,7 @@ glm::dvec3 readDirection(const JsonFields& object, const std::string& field, con
   return length > 1e-6 ? read / length : fallback;
 }
 
-MeasurementRequest readMeasurement(const JsonFields& object, const NamedShapes& shapes) {
+MeasurementRequest readMeasurement(const JsonFields& object, const ShapesByName& shapes) {
   MeasurementRequest read;
   object.only(
       {"kind", "plane", "of", "from_surface", "to_surface", "gap_between", "at_mm", "from_mm", "to_mm", "direction", "normal", "place"});
@@ -121,7 +121,7 @@ glm::dvec3 inwards(const ShapePtr& skin, const glm::dvec3& p_mm) {
 
 }  // namespace
 
-std::vector<MeasurementRequest> readMeasurements(const JsonFields& recipe, const NamedShapes& shapes,
+std::vector<MeasurementRequest> readMeasurements(const JsonFields& recipe, const ShapesByName& shapes,
                                                  const std::vector<StandardPlane>& planes) {
   std::vector<MeasurementRequest> read;
   std::set<std::string> names;
@@ -136,7 +136,7 @@ std::vector<MeasurementRequest> readMeasurements(const JsonFields& recipe, const
   return read;
 }
 
-std::vector<StandardPlane> readPlanes(const JsonFields& recipe, const ShapePtr& skin, const NamedShapes& shapes, Progress& progress) {
+std::vector<StandardPlane> readPlanes(const JsonFields& recipe, const ShapePtr& skin, const ShapesByName& shapes, Progress& progress) {
   std::vector<StandardPlane> read;
   std::set<std::string> names;
   for (const JsonFields& object : recipe.objects("planes", 0, kMostTruthEntries)) {

@@ -30,11 +30,11 @@ struct MeasurementRequest {
   TubePlace place = TubePlace::given;
 };
 
-[[nodiscard]] std::vector<MeasurementRequest> readMeasurements(const JsonFields& recipe, const NamedShapes& shapes,
+[[nodiscard]] std::vector<MeasurementRequest> readMeasurements(const JsonFields& recipe, const ShapesByName& shapes,
                                                                const std::vector<StandardPlane>& planes);
 
 /// The planes with their faces put on the skin; some are missing after the wish to cancel.
-[[nodiscard]] std::vector<StandardPlane> readPlanes(const JsonFields& recipe, const ShapePtr& skin, const NamedShapes& shapes,
+[[nodiscard]] std::vector<StandardPlane> readPlanes(const JsonFields& recipe, const ShapePtr& skin, const ShapesByName& shapes,
                                                     Progress& progress);
 
 }  // namespace ew::phantom

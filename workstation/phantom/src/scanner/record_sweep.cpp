@@ -26,7 +26,7 @@ double depthOf(const Probe& probe, const SweepRecipe& recipe) {
   return recipe.formation.depth_mm > 0.0 ? recipe.formation.depth_mm : probe.defaultDepth_mm;
 }
 
-double picturePixelOf(const Probe& probe, const SweepRecipe& recipe) {
+double imagePixelOf(const Probe& probe, const SweepRecipe& recipe) {
   return recipe.pixel_mm > 0.0 && !recipe.scanLines ? recipe.pixel_mm : depthOf(probe, recipe) / 512.0;
 }
 
@@ -65,9 +65,9 @@ Result<SweepForecast> forecast(const Patient& patient, const Probe& probe, const
                        "breathing, pulsating, ecg and respiration off or describe the motion.">(),
                    {{"field", "breathing"}});
   SweepForecast result{.frames = recipe.frames};
-  const DisplayGeometry picture = pictureOf(probe, depth_mm, picturePixelOf(probe, recipe));
-  result.width_px = recipe.scanLines ? writtenSamplesOf(probe, recipe) : picture.width;
-  result.height_px = recipe.scanLines ? probe.lines : picture.height;
+  const DisplayGeometry image = imageOf(probe, depth_mm, imagePixelOf(probe, recipe));
+  result.width_px = recipe.scanLines ? writtenSamplesOf(probe, recipe) : image.width;
+  result.height_px = recipe.scanLines ? probe.lines : image.height;
   if (result.width_px > kLargestSide_px || result.height_px > kLargestSide_px)
     return failure(ErrorCode::tooLarge,
                    say<"Frames of this sweep would be %1 x %2 pixels, but a side may have %3 at most; use a larger pixel_mm.">(
@@ -98,7 +98,7 @@ const char* motorWordOf(SweepKind kind) {
 }
 
 /// Fields of the whole recording.
-void describe(const Probe& probe, const SweepRecipe& recipe, const Trajectory& trajectory, const DisplayGeometry& picture,
+void describe(const Probe& probe, const SweepRecipe& recipe, const Trajectory& trajectory, const DisplayGeometry& image,
               Sequence& sequence) {
   const auto add = [&](std::string_view name, std::string value) { sequence.otherFields.emplace_back(name, std::move(value)); };
   if (!recipe.name.empty()) add("SweepName", recipe.name);
@@ -113,34 +113,34 @@ void describe(const Probe& probe, const SweepRecipe& recipe, const Trajectory& t
   if (isSector(probe.kind)) {
     add(fields::kTransducerGeometry, "CURVILINEAR");
     add(fields::kRadiusStart, textOf(probe.radius_mm));
-    add(fields::kRadiusStop, textOf(probe.radius_mm + picture.depth_mm));
+    add(fields::kRadiusStop, textOf(probe.radius_mm + image.depth_mm));
     add(fields::kThetaStart, textOf(-probe.halfAngle_rad * kRad_deg));
     add(fields::kThetaStop, textOf(probe.halfAngle_rad * kRad_deg));
   } else {
     add(fields::kTransducerGeometry, "LINEAR");
-    add(fields::kImagingDepth, textOf(picture.depth_mm));
+    add(fields::kImagingDepth, textOf(image.depth_mm));
     add(fields::kTransducerWidth, textOf(probe.width_mm));
   }
-  add(fields::kOutputSpacing, listOf({picture.pixel_mm, picture.pixel_mm}));
-  add(fields::kOutputSize, std::to_string(picture.width) + " " + std::to_string(picture.height));
-  add(fields::kTransducerCentre, listOf({picture.face_px.x, picture.face_px.y}));
+  add(fields::kOutputSpacing, listOf({image.pixel_mm, image.pixel_mm}));
+  add(fields::kOutputSize, std::to_string(image.width) + " " + std::to_string(image.height));
+  add(fields::kTransducerCentre, listOf({image.face_px.x, image.face_px.y}));
 }
 
-DeviceSet deviceSetOf(const Probe& probe, const DisplayGeometry& picture, const glm::dmat4& writtenImageToProbe) {
+DeviceSet deviceSetOf(const Probe& probe, const DisplayGeometry& image, const glm::dmat4& writtenImageToProbe) {
   DeviceSet set;
   set.transforms.push_back({"Image", "Probe", writtenImageToProbe, PoseStatus::ok});
   set.clipOrigin_px = glm::dvec2(0.0);
-  set.clipSize_px = glm::dvec2(picture.width, picture.height);
+  set.clipSize_px = glm::dvec2(image.width, image.height);
   if (isSector(probe.kind)) {
     set.fanAngles_deg = glm::dvec2(-probe.halfAngle_rad, probe.halfAngle_rad) * kRad_deg;
-    set.fanOrigin_px = picture.face_px - glm::dvec2(0.0, probe.radius_mm / picture.pixel_mm);
-    set.fanRadiusStart_px = probe.radius_mm / picture.pixel_mm;
-    set.fanRadiusStop_px = (probe.radius_mm + picture.depth_mm) / picture.pixel_mm;
+    set.fanOrigin_px = image.face_px - glm::dvec2(0.0, probe.radius_mm / image.pixel_mm);
+    set.fanRadiusStart_px = probe.radius_mm / image.pixel_mm;
+    set.fanRadiusStop_px = (probe.radius_mm + image.depth_mm) / image.pixel_mm;
     return set;
   }
-  const glm::dvec2 half(0.5 * probe.width_mm / picture.pixel_mm, 0.0);
-  const glm::dvec2 first = glm::ceil(picture.face_px - half - 1e-6);
-  const glm::dvec2 last = glm::floor(picture.face_px + half + glm::dvec2(0.0, picture.depth_mm / picture.pixel_mm) + 1e-6);
+  const glm::dvec2 half(0.5 * probe.width_mm / image.pixel_mm, 0.0);
+  const glm::dvec2 first = glm::ceil(image.face_px - half - 1e-6);
+  const glm::dvec2 last = glm::floor(image.face_px + half + glm::dvec2(0.0, image.depth_mm / image.pixel_mm) + 1e-6);
   set.clipOrigin_px = first;
   set.clipSize_px = last - first + 1.0;
   return set;
@@ -249,7 +249,7 @@ Result<void> makeRoom(std::size_t frames, const Progress& progress, Sequence& se
 
 }  // namespace
 
-DisplayGeometry pictureOf(const Probe& probe, double depth_mm, double pixel_mm) {
+DisplayGeometry imageOf(const Probe& probe, double depth_mm, double pixel_mm) {
   Knobs knobs;
   knobs.depth_mm = depth_mm;
   glm::dvec2 lowest(0.0), highest(0.0);
@@ -257,17 +257,17 @@ DisplayGeometry pictureOf(const Probe& probe, double depth_mm, double pixel_mm) 
     lowest = glm::min(lowest, point);
     highest = glm::max(highest, point);
   }
-  DisplayGeometry picture;
-  picture.pixel_mm = pixel_mm;
-  picture.markerLeft = false;
-  picture.depth_mm = depth_mm;
+  DisplayGeometry image;
+  image.pixel_mm = pixel_mm;
+  image.markerLeft = false;
+  image.depth_mm = depth_mm;
   const auto pixels = [&](double length_mm) { return static_cast<int>(std::min(std::ceil(length_mm / pixel_mm - 1e-6), 1e6)); };
   const int halfWidth = pixels(std::max(-lowest.x, highest.x)) + kMargin_px;
   const int above = pixels(-lowest.y) + kMargin_px;
-  picture.width = 2 * halfWidth + 1;
-  picture.height = above + pixels(highest.y) + kMargin_px + 1;
-  picture.face_px = {halfWidth, above};
-  return picture;
+  image.width = 2 * halfWidth + 1;
+  image.height = above + pixels(highest.y) + kMargin_px + 1;
+  image.face_px = {halfWidth, above};
+  return image;
 }
 
 Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& patient, const SweepRecipe& recipe, int threads,
@@ -283,17 +283,17 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
   auto trajectory = Trajectory::along(patient, probe, recipe);
   if (!trajectory) return passOn(trajectory.error());
 
-  const DisplayGeometry picture = pictureOf(probe, depthOf(probe, recipe), picturePixelOf(probe, recipe));
+  const DisplayGeometry image = imageOf(probe, depthOf(probe, recipe), imagePixelOf(probe, recipe));
   VirtualSweep sweep;
-  sweep.imageToProbe = picture.imageToProbe().matrix;
+  sweep.imageToProbe = image.imageToProbe().matrix;
   const glm::dmat4 writtenImageToProbe = recipe.tracker.calibrationError * sweep.imageToProbe;
-  sweep.deviceSet = deviceSetOf(probe, picture, writtenImageToProbe);
+  sweep.deviceSet = deviceSetOf(probe, image, writtenImageToProbe);
   Sequence& sequence = sweep.sequence;
   sequence.width = expected->width_px;
   sequence.height = expected->height_px;
   sequence.orientation = recipe.scanLines ? "FM" : "MF";
   sequence.imageType = "BRIGHTNESS";
-  describe(probe, recipe, *trajectory, picture, sequence);
+  describe(probe, recipe, *trajectory, image, sequence);
   if (!recipe.scanLines) describeClip(sweep.deviceSet, sequence);
 
   const auto frames = static_cast<std::size_t>(recipe.frames);
@@ -305,9 +305,8 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
   const auto tracked = track(*trajectory, recipe, threads, moving);
   if (!tracked) return recordingStopped();
   Knobs knobs;
-  knobs.depth_mm = picture.depth_mm;
-  const ScanConversionTable conversion =
-      recipe.scanLines ? ScanConversionTable{} : makeScanConversion(probe, knobs, scanner.grid(), picture);
+  knobs.depth_mm = image.depth_mm;
+  const ScanConversionTable conversion = recipe.scanLines ? ScanConversionTable{} : makeScanConversion(probe, knobs, scanner.grid(), image);
 
   const std::size_t framePixels = static_cast<std::size_t>(sequence.width) * static_cast<std::size_t>(sequence.height);
   std::vector<Bench> benches(static_cast<std::size_t>(threadCount(threads)));
@@ -332,8 +331,7 @@ Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& pa
         if (recipe.scanLines) {
           writeLines(bench.levels, sequence.width, out);
         } else {
-          scanConvert(conversion, viewOf(std::as_const(bench.levels)), 0, picture.height,
-                      {out, picture.width, picture.height, picture.width});
+          scanConvert(conversion, viewOf(std::as_const(bench.levels)), 0, image.height, {out, image.width, image.height, image.width});
         }
         sequence.frames[n] = frameOf(patient, recipe, *trajectory, tracked->poses[n], tracked->unfilteredTime_s[n], writtenImageToProbe);
       });

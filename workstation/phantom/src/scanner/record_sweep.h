@@ -5,8 +5,8 @@
 
 namespace ew::phantom {
 
-/// The picture that a sweep's frames are converted to: the whole fan, x towards the marker, y away from the probe, two pixels of margin.
-[[nodiscard]] DisplayGeometry pictureOf(const Probe& probe, double depth_mm, double pixel_mm);
+/// The image that a sweep's frames are converted to: the whole fan, x towards the marker, y away from the probe, two pixels of margin.
+[[nodiscard]] DisplayGeometry imageOf(const Probe& probe, double depth_mm, double pixel_mm);
 
 /// As recordSweep, with the machine given. Its probe and depth must be the recipe's.
 [[nodiscard]] Result<VirtualSweep> recordWith(const VirtualScanner& scanner, const Patient& patient, const SweepRecipe& recipe, int threads,

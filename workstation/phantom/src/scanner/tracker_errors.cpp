@@ -39,13 +39,13 @@ glm::dmat3 smallTurn(const glm::dvec3& about_rad) {
 
 }  // namespace
 
-std::optional<TrackedPoses> track(const Trajectory& trajectory, const SweepRecipe& recipe, int threads, Progress& progress) {
+std::optional<TrackerPoses> track(const Trajectory& trajectory, const SweepRecipe& recipe, int threads, Progress& progress) {
   const auto& tracker = recipe.tracker;
   const auto normal3 = [&](Stream stream, int frame) {
     return glm::dvec3(normalAt(tracker.seed, stream, 3 * frame), normalAt(tracker.seed, stream, 3 * frame + 1),
                       normalAt(tracker.seed, stream, 3 * frame + 2));
   };
-  TrackedPoses tracked;
+  TrackerPoses tracked;
   tracked.poses.resize(static_cast<std::size_t>(recipe.frames));
   tracked.unfilteredTime_s.resize(static_cast<std::size_t>(recipe.frames));
   const bool finished = forEachTask(recipe.frames, threads, progress, say<"Moving the probe">(), [&](int n) {

@@ -9,7 +9,7 @@
 namespace ew::phantom {
 
 /// What a tracker says about each image of a sweep.
-struct TrackedPoses {
+struct TrackerPoses {
   std::vector<Pose> poses;               ///< as the tracker sees them; invalid ones have plausible numbers; time_s is the image's
   std::vector<double> unfilteredTime_s;  ///< when the images' arrival was noticed
 };
@@ -18,6 +18,6 @@ struct TrackedPoses {
 /// off by a normally distributed time, turned about the probe's origin and moved by normally distributed amounts. Round
 /// (dropOutShare x frames) poses are INVALID, in runs of about five: half of the runs hold the last pose the tracker saw, half something
 /// near the identity, as trackers do. Empty when cancelled.
-[[nodiscard]] std::optional<TrackedPoses> track(const Trajectory& trajectory, const SweepRecipe& recipe, int threads, Progress& progress);
+[[nodiscard]] std::optional<TrackerPoses> track(const Trajectory& trajectory, const SweepRecipe& recipe, int threads, Progress& progress);
 
 }  // namespace ew::phantom

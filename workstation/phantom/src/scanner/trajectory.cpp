@@ -16,7 +16,7 @@ constexpr double kDegree_rad = std::numbers::pi / 180.0;
 constexpr double kFlattestLook = 0.17;     // cosine of the angle between beam and inward normal: 80 degrees
 constexpr double kOutsideBox_mm = 5.0;     // how far from the patient's box a probe may touch
 constexpr double kDeepestFold_mm = 60.0;   // how far a probe is drawn back before it counts as stuck in a fold
-constexpr double kRotationArm_mm = 50.0;   // turning by an angle is as much way as the picture's middle makes by it
+constexpr double kRotationArm_mm = 50.0;   // turning by an angle is as much way as the image's middle makes by it
 constexpr int kStepsBetweenStations = 32;  // where the way along the path is measured
 constexpr int kStepsOfTime = 512;
 

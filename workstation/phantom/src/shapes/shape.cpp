@@ -152,10 +152,10 @@ class Mirrored final : public Shape {
 
 class Union final : public Shape {
  public:
-  explicit Union(std::vector<BlendedPart> parts) : parts_(std::move(parts)) {
+  explicit Union(std::vector<BlendPart> parts) : parts_(std::move(parts)) {
     bounds_ = parts_.front().shape->bounds();
     double blend = 0.0;
-    for (const BlendedPart& part : parts_) {
+    for (const BlendPart& part : parts_) {
       countPart(*part.shape);
       bounds_.lowest_mm = glm::min(bounds_.lowest_mm, part.shape->bounds().lowest_mm);
       bounds_.highest_mm = glm::max(bounds_.highest_mm, part.shape->bounds().highest_mm);
@@ -166,11 +166,11 @@ class Union final : public Shape {
     bounds_.highest_mm += glm::dvec3(0.25 * blend);
   }
   double distance_mm(const glm::dvec3& p_mm) const override {
-    return joined(p_mm, [&](const BlendedPart& part) { return part.shape->distance_mm(p_mm); });
+    return joined(p_mm, [&](const BlendPart& part) { return part.shape->distance_mm(p_mm); });
   }
   double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
     // What lies a blend beyond neither counts nor brings what it is blended with below `most_mm`.
-    return joined(p_mm, [&](const BlendedPart& part) { return part.shape->distanceUpTo_mm(p_mm, most_mm + widest_mm_); });
+    return joined(p_mm, [&](const BlendPart& part) { return part.shape->distanceUpTo_mm(p_mm, most_mm + widest_mm_); });
   }
   const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
 
@@ -178,7 +178,7 @@ class Union final : public Shape {
   template <class Distance>
   [[nodiscard]] double joined(const glm::dvec3& p_mm, const Distance& distanceTo) const {
     double joined = std::numeric_limits<double>::infinity();
-    for (const BlendedPart& part : parts_) {
+    for (const BlendPart& part : parts_) {
       // A part whose box alone is farther than the result plus the blend cannot change it.
       const double atLeast = part.shape->atLeast_mm(p_mm);
       if (atLeast > 0.0 && atLeast > joined + part.blend_mm) continue;
@@ -188,15 +188,15 @@ class Union final : public Shape {
     return joined;
   }
 
-  std::vector<BlendedPart> parts_;
+  std::vector<BlendPart> parts_;
   double widest_mm_ = 0.0;  ///< of the blends
 };
 
 class Intersection final : public Shape {
  public:
-  explicit Intersection(std::vector<BlendedPart> parts) : parts_(std::move(parts)) {
+  explicit Intersection(std::vector<BlendPart> parts) : parts_(std::move(parts)) {
     bounds_ = parts_.front().shape->bounds();
-    for (const BlendedPart& part : parts_) {
+    for (const BlendPart& part : parts_) {
       countPart(*part.shape);
       bounds_.lowest_mm = glm::max(bounds_.lowest_mm, part.shape->bounds().lowest_mm);
       bounds_.highest_mm = glm::min(bounds_.highest_mm, part.shape->bounds().highest_mm);
@@ -217,13 +217,13 @@ class Intersection final : public Shape {
   const CentreLine* centreLine() const override { return parts_.front().shape->centreLine(); }
 
  private:
-  std::vector<BlendedPart> parts_;
+  std::vector<BlendPart> parts_;
 };
 
 class Difference final : public Shape {
  public:
-  explicit Difference(std::vector<BlendedPart> parts) : parts_(std::move(parts)) {
-    for (const BlendedPart& part : parts_) countPart(*part.shape);
+  explicit Difference(std::vector<BlendPart> parts) : parts_(std::move(parts)) {
+    for (const BlendPart& part : parts_) countPart(*part.shape);
     bounds_ = parts_.front().shape->bounds();
   }
   double distance_mm(const glm::dvec3& p_mm) const override { return without(p_mm, parts_.front().shape->distance_mm(p_mm)); }
@@ -243,7 +243,7 @@ class Difference final : public Shape {
     return joined;
   }
 
-  std::vector<BlendedPart> parts_;
+  std::vector<BlendPart> parts_;
 };
 
 }  // namespace
@@ -283,15 +283,15 @@ ShapePtr makeMirrored(ShapePtr of, double smoothing_mm) {
   EW_EXPECTS(of && smoothing_mm >= 0.0);
   return std::make_shared<Mirrored>(std::move(of), smoothing_mm);
 }
-ShapePtr makeUnion(std::vector<BlendedPart> parts) {
+ShapePtr makeUnion(std::vector<BlendPart> parts) {
   EW_EXPECTS(!parts.empty());
   return std::make_shared<Union>(std::move(parts));
 }
-ShapePtr makeIntersection(std::vector<BlendedPart> parts) {
+ShapePtr makeIntersection(std::vector<BlendPart> parts) {
   EW_EXPECTS(!parts.empty());
   return std::make_shared<Intersection>(std::move(parts));
 }
-ShapePtr makeDifference(std::vector<BlendedPart> parts) {
+ShapePtr makeDifference(std::vector<BlendPart> parts) {
   EW_EXPECTS(!parts.empty());
   return std::make_shared<Difference>(std::move(parts));
 }

@@ -127,13 +127,13 @@ struct ReliefLine {
 [[nodiscard]] ShapePtr makeRelief(ShapePtr of, const std::vector<ReliefLine>& lines);
 
 /// Parts joined one after the other, each with its own blend.
-struct BlendedPart {
+struct BlendPart {
   ShapePtr shape;
   double blend_mm = 0.0;
 };
-[[nodiscard]] ShapePtr makeUnion(std::vector<BlendedPart> parts);
-[[nodiscard]] ShapePtr makeIntersection(std::vector<BlendedPart> parts);
+[[nodiscard]] ShapePtr makeUnion(std::vector<BlendPart> parts);
+[[nodiscard]] ShapePtr makeIntersection(std::vector<BlendPart> parts);
 /// The first part without the others.
-[[nodiscard]] ShapePtr makeDifference(std::vector<BlendedPart> parts);
+[[nodiscard]] ShapePtr makeDifference(std::vector<BlendPart> parts);
 
 }  // namespace ew::phantom

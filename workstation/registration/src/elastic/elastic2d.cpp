@@ -120,7 +120,7 @@ PlanarState carriedTo(const PlanarState& state, glm::dvec2 extent_mm, const Plan
 }
 
 /// A displacement at the samples of an image.
-struct SampledField {
+struct FieldSamples {
   std::vector<float> x;
   std::vector<float> y;
 
@@ -137,7 +137,7 @@ struct PairAtLevel {
 };
 
 /// What a warp found on one half of the plane is worth on the other half.
-struct HeldOut {
+struct Holdout {
   double share = 1.0;  ///< of the motion that agrees best where it was not fitted; 0: none agrees better than nothing does
   double gain = 0.0;   ///< of correlation there, at that share
   double error = 1.0;  ///< standard error of a correlation there
@@ -163,7 +163,7 @@ PlanarPair onColour(const PlanarPair& pair, int colour, double square_mm, double
 /// Fits the warp twice, each time on every other square of a checkerboard, and judges each on the other squares. A warp that only fits
 /// grain to grain gains nothing there.
 /// @return nothing when cancelled
-std::optional<HeldOut> heldOut(const PairAtLevel& coarse, const PairAtLevel& fine, const PlanarState& start, double square_mm,
+std::optional<Holdout> heldOut(const PairAtLevel& coarse, const PairAtLevel& fine, const PlanarState& start, double square_mm,
                                const PlanarSettings& settings, Progress& progress) {
   constexpr int kShares = 5;  // 0, 1/4 .. 1
   std::array<double, kShares> agreed{};
@@ -175,11 +175,11 @@ std::optional<HeldOut> heldOut(const PairAtLevel& coarse, const PairAtLevel& fin
     state = carriedTo(state, extent_mm, fine.pair, fine.level);
     if (!refinePlanar(onColour(fine.pair, colour, square_mm, 0.0), fine.level, settings, state, progress)) return std::nullopt;
     const PlanarPair judged = onColour(fine.pair, 1 - colour, square_mm, 1.6 * fine.pair.fixed.pixel_mm.x);
-    SampledField whole;
+    FieldSamples whole;
     evaluate(state.x, state.y, state.field.part[0], whole.x);
     evaluate(state.x, state.y, state.field.part[1], whole.y);
     for (int n = 0; n < kShares; ++n) {
-      SampledField part = whole;
+      FieldSamples part = whole;
       part.scale(static_cast<float>(n) / (kShares - 1));
       const PlanarAgreement found = planarAgreement(judged, part.x, part.y);
       agreed[static_cast<std::size_t>(n)] += 0.5 * found.correlation;
@@ -187,14 +187,14 @@ std::optional<HeldOut> heldOut(const PairAtLevel& coarse, const PairAtLevel& fin
     }
   }
   const auto best = std::max_element(agreed.begin(), agreed.end());
-  return HeldOut{.share = static_cast<double>(best - agreed.begin()) / (kShares - 1),
+  return Holdout{.share = static_cast<double>(best - agreed.begin()) / (kShares - 1),
                  .gain = *best - agreed[0],
                  .error = 1.0 / std::sqrt(std::max(1.0, independent))};
 }
 
 /// How likely a field's agreement is no chance: Fisher's z of its correlation in standard deviations.
 double significanceOf(const PlanarPair& pair, const PlanarState& state) {
-  SampledField field;
+  FieldSamples field;
   evaluate(state.x, state.y, state.field.part[0], field.x);
   evaluate(state.x, state.y, state.field.part[1], field.y);
   const PlanarAgreement a = planarAgreement(pair, field.x, field.y);
@@ -230,19 +230,19 @@ class PlanarRun {
   // What is made of the field that was kept.
   void takeBackFolds();
   [[nodiscard]] bool needsHeldOut() const;
-  [[nodiscard]] std::optional<HeldOut> askHeldOut();
-  [[nodiscard]] bool isRefutedBy(const HeldOut& held) const;
-  void keepShareOf(const HeldOut& held);
+  [[nodiscard]] std::optional<Holdout> askHeldOut();
+  [[nodiscard]] bool isRefutedBy(const Holdout& held) const;
+  void keepShareOf(const Holdout& held);
   [[nodiscard]] bool agreesAtRest() const { return result_.before.correlation > result_.before.chance; }
 
   // How it ends.
   [[nodiscard]] Elastic2dResult finish(Verdict verdict, StopReason stop, Message reason);
   void leaveAtZero();
   [[nodiscard]] Elastic2dResult finishSingular();
-  [[nodiscard]] Elastic2dResult finishRefuted(const HeldOut& held);
+  [[nodiscard]] Elastic2dResult finishRefuted(const Holdout& held);
   [[nodiscard]] Elastic2dResult conclude();
 
-  void show(const PlanarState& state, const PlanarImage& on, SampledField& field) const;
+  void show(const PlanarState& state, const PlanarImage& on, FieldSamples& field) const;
   [[nodiscard]] Agreement stated(const PlanarAgreement& found) const;
   [[nodiscard]] double smallestJacobianOfFull() const;
 
@@ -262,8 +262,8 @@ class PlanarRun {
   PlanarSettings settings_;
   std::vector<PlanarLevel> levels_;
   PlanarPair judged_;      ///< images of one size, on which the agreement is judged before and after
-  SampledField onJudged_;  ///< the field at their samples
-  SampledField full_;      ///< and at the input's pixels
+  FieldSamples onJudged_;  ///< the field at their samples
+  FieldSamples full_;      ///< and at the input's pixels
   PlanarState state_;
   PlanarState atStart_;                   ///< of the first level
   PlanarState kept_;                      ///< the last one that folds nowhere at full resolution
@@ -429,20 +429,20 @@ void PlanarRun::takeBackFolds() {
 /// Where the speckle is another one, the agreement of the fitted pixels proves little: the warp is asked to agree where it was not fitted.
 bool PlanarRun::needsHeldOut() const { return choosesLevels() && firstLevels_.size() == 2 && state_.coherence < kSharedSpeckle; }
 
-std::optional<HeldOut> PlanarRun::askHeldOut() {
+std::optional<Holdout> PlanarRun::askHeldOut() {
   PlanarSettings quick = settings_;
   quick.iterations = std::min(settings_.iterations, 8);
   return heldOut(firstLevels_[0], firstLevels_[1], atStart_, 16.0 * unit_, quick, quiet_);
 }
 
 /// Images that agree no better than by chance as they lie have to show much more.
-bool PlanarRun::isRefutedBy(const HeldOut& held) const {
+bool PlanarRun::isRefutedBy(const Holdout& held) const {
   const double needed = agreesAtRest() ? 0.7 : 6.0;
   return held.share <= 0.0 || held.gain < needed * held.error;
 }
 
 /// Half of the evidence makes twice the noise: the best share of the motion found from all of it lies nearer to 1.
-void PlanarRun::keepShareOf(const HeldOut& held) {
+void PlanarRun::keepShareOf(const Holdout& held) {
   const double keep = 2.0 * held.share / (1.0 + held.share);
   if (!(keep < 1.0)) return;
   full_.scale(static_cast<float>(keep));
@@ -478,7 +478,7 @@ Elastic2dResult PlanarRun::finishSingular() {
                     : nothingCommon());
 }
 
-Elastic2dResult PlanarRun::finishRefuted(const HeldOut& held) {
+Elastic2dResult PlanarRun::finishRefuted(const Holdout& held) {
   const bool common = agreesAtRest();
   const Message gain = hundredths(held.gain), error = hundredths(held.error);
   leaveAtZero();
@@ -508,7 +508,7 @@ Elastic2dResult PlanarRun::conclude() {
   return finish(Verdict::aligned, state_.stop, say<"The warped image agrees with the fixed one %1.">(figures));
 }
 
-void PlanarRun::show(const PlanarState& state, const PlanarImage& on, SampledField& field) const {
+void PlanarRun::show(const PlanarState& state, const PlanarImage& on, FieldSamples& field) const {
   const SplineAxis alongX = splineAxis(extent_mm_.x, state.x.node_mm, on.pixel_mm.x, on.width);
   const SplineAxis alongY = splineAxis(extent_mm_.y, state.y.node_mm, on.pixel_mm.y, on.height);
   evaluate(alongX, alongY, state.field.part[0], field.x);

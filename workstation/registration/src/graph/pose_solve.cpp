@@ -15,7 +15,7 @@ namespace ew::registration::graph {
 namespace {
 
 /// A robust loss whose convexity is lowered step by step: Geman and McClure's m s / (m + s), a parabola for large m.
-class GradedLoss final : public ceres::LossFunction {
+class GemanMcClureLoss final : public ceres::LossFunction {
  public:
   double m = 1.0;
   void Evaluate(double s, double out[3]) const override {
@@ -230,7 +230,7 @@ void PoseProblem::readBack(std::vector<Pose>& poses) const {
 PoseDescent searchPoses(const Joints& joints, std::vector<Pose>& poses, Progress& progress) {
   keepCeresQuiet();
   PoseDescent descent;
-  GradedLoss loss;
+  GemanMcClureLoss loss;
   for (const double m : {16.0, 4.0, 1.0, 0.5}) {
     loss.m = m;
     PoseProblem(joints, nullptr, loss, poses).solve(15, false, progress, poses, descent);

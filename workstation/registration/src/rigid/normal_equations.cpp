@@ -48,7 +48,7 @@ Matrix3 toWorld(const double (&moment)[6], const glm::dmat3& axes) {
 /// One pass over a pair: where the rows of the fixed image lie in the moving one, and whither their sums go.
 class PairPass {
  public:
-  PairPass(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+  PairPass(const ComparableImage& fixed, const KernelImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
            const glm::dvec3& centre_mm, const PassOptions& options, const glm::ivec3& cubes, std::vector<PoseSums>* blockSums);
 
   /// @param mine where sums of this plane go when cubes have none of their own
@@ -78,7 +78,7 @@ class PairPass {
   PoseRow common_;
 };
 
-PairPass::PairPass(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+PairPass::PairPass(const ComparableImage& fixed, const KernelImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
                    const glm::dvec3& centre_mm, const PassOptions& options, const glm::ivec3& cubes, std::vector<PoseSums>* blockSums)
     : fixed_(fixed),
       options_(options),
@@ -179,8 +179,8 @@ void PairPass::addDerivatives(const PoseRowSums& row, int j, int k, PoseSums& in
 
 }  // namespace
 
-PackedImage packed(const ComparableImage& image) {
-  PackedImage out{image.grid, std::vector<float>(image.value.size())};
+KernelImage packed(const ComparableImage& image) {
+  KernelImage out{image.grid, std::vector<float>(image.value.size())};
   for (std::size_t q = 0; q < image.value.size(); ++q) {
     const std::uint32_t weight = image.weight[q];
     float value = image.value[q];
@@ -229,7 +229,7 @@ double PoseSums::stiffness() const {
 
 double PoseSums::residualRms() const { return robustWeight > 0.0 ? std::sqrt(residual / robustWeight) : 0.0; }
 
-bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+bool sumOverPair(const ComparableImage& fixed, const KernelImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
                  const glm::dvec3& centre_mm, const PassOptions& options, int threads, Progress& progress, PoseSums& sums,
                  std::vector<PoseSums>* blockSums) {
   sums = {};

@@ -12,11 +12,11 @@
 namespace ew::registration {
 
 /// A moving image as the kernel reads it: values with the weight in the eight lowest bits of each.
-struct PackedImage {
+struct KernelImage {
   Grid grid;
   std::vector<float> value;
 };
-[[nodiscard]] PackedImage packed(const ComparableImage& image);
+[[nodiscard]] KernelImage packed(const ComparableImage& image);
 
 /// What one pass over the overlap of a pair sums up. Rotations are about `centre` of the pass, in the fixed frame.
 struct PoseSums : PairSums {
@@ -44,7 +44,7 @@ struct PassOptions {
 /// @param fixedToMoving rigid; centre in the fixed frame, mm
 /// @param blockSums     one per cube, filled when perBlock
 /// @return false when cancelled
-bool sumOverPair(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
+bool sumOverPair(const ComparableImage& fixed, const KernelImage& moving, const Transform<frame::Moving, frame::Fixed>& fixedToMoving,
                  const glm::dvec3& centre_mm, const PassOptions& options, int threads, Progress& progress, PoseSums& sums,
                  std::vector<PoseSums>* blockSums = nullptr);
 

@@ -34,7 +34,7 @@ PoseDifference differenceOf(const Transform<frame::Moving, frame::Fixed>& a, con
   return {rotationBetween_rad(a, b) * 180.0 / std::numbers::pi, glm::length(gap)};
 }
 
-Descent descend(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& start,
+Descent descend(const ComparableImage& fixed, const KernelImage& moving, const Transform<frame::Moving, frame::Fixed>& start,
                 const DescentOptions& options, int threads, Progress& progress) {
   Descent out;
   out.fixedToMoving = start;

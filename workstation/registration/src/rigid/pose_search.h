@@ -42,7 +42,7 @@ struct Descent {
   double correlationBefore = 0.0;
   StopReason stop = StopReason::notRun;  ///< converged, iterationLimit, singular, noOverlap, cancelled
 };
-[[nodiscard]] Descent descend(const ComparableImage& fixed, const PackedImage& moving, const Transform<frame::Moving, frame::Fixed>& start,
+[[nodiscard]] Descent descend(const ComparableImage& fixed, const KernelImage& moving, const Transform<frame::Moving, frame::Fixed>& start,
                               const DescentOptions& options, int threads, Progress& progress);
 
 /// Voxels of `image` that count as one independent sample, from the correlations between neighbours of both sides along each axis.

@@ -13,7 +13,7 @@ namespace ew::registration {
 struct PairLevels {
   std::vector<ComparableImage> fixed;
   std::vector<ComparableImage> moving;  ///< values and weights of the levels nobody searches are given up after packing
-  std::vector<PackedImage> packedMoving;
+  std::vector<KernelImage> packedMoving;
   std::size_t agreement = 0;     ///< the level figures of agreement are taken from: the finest of 1.4 mm or coarser, else the coarsest
   double voxelsPerSample = 1.0;  ///< there
   double fixedCovered_mm3 = 0.0;

@@ -50,13 +50,13 @@ class JobsAtOnce final : public sdk::Jobs {
 
 class NoPanels final : public sdk::Panels {
  public:
-  void addStaged(sdk::StagedPanel) override {}
+  void addStaged(sdk::StagePanel) override {}
 };
 
 class NoScan final : public sdk::Scan {
  public:
   [[nodiscard]] std::optional<ScanState> state() const override { return std::nullopt; }
-  [[nodiscard]] Picture picture() const override { return {}; }
+  [[nodiscard]] DisplayImage image() const override { return {}; }
   [[nodiscard]] DisplayGeometry geometry() const override { return {}; }
   [[nodiscard]] Knobs knobs() const override { return {}; }
   [[nodiscard]] double now_s() const override { return secondsSince(begin_); }

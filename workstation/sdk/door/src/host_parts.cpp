@@ -17,7 +17,7 @@ SweepVolumeOptions optionsOf(const sdk::SweepOptions& asked) {
 }
 
 /// As checkMeant, with what a person can do about it who is asked nothing here.
-Result<void> checkMeantOf(const OpenedSweep& opened) {
+Result<void> checkMeantOf(const SweepInput& opened) {
   auto meant = checkMeant(opened);
   if (meant) return {};
   Error question = meant.error();

@@ -17,7 +17,7 @@ using Calls = std::shared_ptr<PluginCalls>;
 
 /// A document of the plugin as the window sees it: what cannot be asked is empty, the title stays the last one. The plugin keeps the
 /// document; once it is gone there is nothing to ask.
-class GuardedDocument final : public sdk::PanelDocument {
+class DocumentGuard final : public sdk::PanelDocument {
   template <class Ask>
   auto ask(Ask&& question) const {
     return calls_.call(PluginMoment::document, panel_, [&] {
@@ -34,7 +34,7 @@ class GuardedDocument final : public sdk::PanelDocument {
 
  public:
   /// Kept by `calls`, so it holds no share of them.
-  GuardedDocument(PluginCalls& calls, std::weak_ptr<sdk::PanelDocument> inner, std::string panel)
+  DocumentGuard(PluginCalls& calls, std::weak_ptr<sdk::PanelDocument> inner, std::string panel)
       : calls_(calls), inner_(std::move(inner)), panel_(std::move(panel)), title_(panel_) {}
 
   [[nodiscard]] std::string title() const override {
@@ -172,12 +172,12 @@ class PluginPanels final : public sdk::Panels {
  public:
   PluginPanels(Calls calls, sdk::Panels& inner) : calls_(std::move(calls)), inner_(inner) {}
 
-  void addStaged(sdk::StagedPanel panel) override {
+  void addStaged(sdk::StagePanel panel) override {
     ids_.push_back(panel.id);
     panel.make = guardedMake(panel.title, std::move(panel.make));
     panel.makeStage = guardedMake(panel.title, std::move(panel.makeStage));
     if (!panel.document.expired()) {
-      const auto document = std::make_shared<GuardedDocument>(*calls_, panel.document, panel.title);
+      const auto document = std::make_shared<DocumentGuard>(*calls_, panel.document, panel.title);
       calls_->keepDocument(document);
       panel.document = document;
     }
@@ -193,7 +193,7 @@ class PluginPanels final : public sdk::Panels {
 
  private:
   /// Nothing stays nothing: a panel without a stage has none.
-  [[nodiscard]] sdk::StagedPanel::Make guardedMake(const std::string& title, sdk::StagedPanel::Make make) const {
+  [[nodiscard]] sdk::StagePanel::Make guardedMake(const std::string& title, sdk::StagePanel::Make make) const {
     if (!make) return {};
     return [calls = calls_, title, make = std::move(make)](QWidget* parent) -> QWidget* {
       return calls->call(PluginMoment::panel, title, [&] { return make(parent); }).value_or(nullptr);
@@ -228,9 +228,9 @@ class PluginCommands final : public sdk::Commands {
 };
 
 /// Where the plugin says the probe is. When it cannot say, the probe stays where it was.
-class GuardedPoses final : public PoseSource {
+class PoseGuard final : public PoseSource {
  public:
-  GuardedPoses(Calls calls, std::shared_ptr<const PoseSource> inner) : calls_(std::move(calls)), inner_(std::move(inner)) {}
+  PoseGuard(Calls calls, std::shared_ptr<const PoseSource> inner) : calls_(std::move(calls)), inner_(std::move(inner)) {}
   [[nodiscard]] Pose poseAt(double time_s) const override {
     if (isLost_) return last_;
     auto pose = calls_->call(PluginMoment::drive, {}, [&] { return inner_->poseAt(time_s); });
@@ -258,7 +258,7 @@ class PluginScan final : public sdk::Scan {
  public:
   PluginScan(Calls calls, sdk::Scan& inner) : calls_(std::move(calls)), inner_(inner) {}
   [[nodiscard]] std::optional<ScanState> state() const override { return inner_.state(); }
-  [[nodiscard]] Picture picture() const override { return inner_.picture(); }
+  [[nodiscard]] DisplayImage image() const override { return inner_.image(); }
   [[nodiscard]] DisplayGeometry geometry() const override { return inner_.geometry(); }
   [[nodiscard]] Knobs knobs() const override { return inner_.knobs(); }
   [[nodiscard]] double now_s() const override { return inner_.now_s(); }
@@ -272,7 +272,7 @@ class PluginScan final : public sdk::Scan {
     auto told = [calls = calls_, takenBack = std::move(takenBack)] {
       if (takenBack) static_cast<void>(calls->call(PluginMoment::drive, {}, takenBack));
     };
-    return calls_->keepTicket(inner_.drive(std::make_shared<GuardedPoses>(calls_, std::move(source)), std::move(told)));
+    return calls_->keepTicket(inner_.drive(std::make_shared<PoseGuard>(calls_, std::move(source)), std::move(told)));
   }
   Result<void> placeProbe(const Transform<frame::World, frame::Probe>& probeToWorld) override { return inner_.placeProbe(probeToWorld); }
   Result<void> apply(const Knobs& knobs) override { return inner_.apply(knobs); }
@@ -331,9 +331,9 @@ class PluginWorkspaces final : public sdk::Workspaces {
 
 /// A drawing that goes when the plugin is withdrawn, although the plugin still holds it.
 template <class Drawing>
-class KeptOverlay final : public sdk::Overlay<Drawing> {
+class OverlayProxy final : public sdk::Overlay<Drawing> {
  public:
-  KeptOverlay(PluginCalls& calls, const std::shared_ptr<sdk::Overlay<Drawing>>& inner) : inner_(inner), ticket_(calls.keepTicket(inner)) {}
+  OverlayProxy(PluginCalls& calls, const std::shared_ptr<sdk::Overlay<Drawing>>& inner) : inner_(inner), ticket_(calls.keepTicket(inner)) {}
   void show(Drawing drawing) override {
     if (const auto inner = inner_.lock()) inner->show(std::move(drawing));
   }
@@ -347,14 +347,14 @@ class PluginOverlays final : public sdk::Overlays {
  public:
   PluginOverlays(Calls calls, sdk::Overlays& inner) : calls_(std::move(calls)), inner_(inner) {}
   [[nodiscard]] std::shared_ptr<sdk::ScanOverlay> overScan() override {
-    return std::make_shared<KeptOverlay<sdk::ScanDrawing>>(*calls_, inner_.overScan());
+    return std::make_shared<OverlayProxy<sdk::ScanDrawing>>(*calls_, inner_.overScan());
   }
   [[nodiscard]] std::shared_ptr<sdk::BodyOverlay> overBody() override {
-    return std::make_shared<KeptOverlay<sdk::BodyDrawing>>(*calls_, inner_.overBody());
+    return std::make_shared<OverlayProxy<sdk::BodyDrawing>>(*calls_, inner_.overBody());
   }
   [[nodiscard]] sdk::Ticket showInBody(const sdk::BodyAids& aids) override { return calls_->keepTicket(inner_.showInBody(aids)); }
   [[nodiscard]] std::shared_ptr<sdk::HandlesOverlay> showHandles(const sdk::BodyHandles& handles, sdk::HandlesMoved moved) override {
-    return std::make_shared<KeptOverlay<sdk::BodyHandles>>(
+    return std::make_shared<OverlayProxy<sdk::BodyHandles>>(
         *calls_, inner_.showHandles(handles, [calls = calls_, moved = std::move(moved)](const auto& toWorld, bool isOver) {
           static_cast<void>(calls->call(PluginMoment::event, {}, [&] { moved(toWorld, isOver); }));
         }));

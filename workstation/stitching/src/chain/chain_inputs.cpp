@@ -23,7 +23,7 @@ using nlohmann::ordered_json;
 constexpr std::array<const char*, 3> kSweepFiles = {"volume.mha", "coverage.mha", "confidence.mha"};
 
 /// As checkMeant, with what a person can do about it here. The message's first argument is the question: a window answers it otherwise.
-Result<void> checkMeantOf(const OpenedSweep& opened, const std::string& name) {
+Result<void> checkMeantOf(const SweepInput& opened, const std::string& name) {
   auto meant = checkMeant(opened);
   if (meant) return {};
   Error question = meant.error();
@@ -137,7 +137,7 @@ Result<void> ChainInputs::make(std::size_t v, Progress& progress) {
   return {};
 }
 
-Result<std::shared_ptr<LoadedView>> ChainInputs::readSweep(std::size_t v, Progress& progress) {
+Result<std::shared_ptr<ViewData>> ChainInputs::readSweep(std::size_t v, Progress& progress) {
   const std::string& key = inputs_[v].key;
   const auto about = readBack<std::pair<Grid, std::optional<Beams>>>(
       store_.find(kStep, key), [](const json& data) { return std::pair(gridFrom(data.at("grid")), beamsFrom(data.at("beams"))); });
@@ -152,21 +152,21 @@ Result<std::shared_ptr<LoadedView>> ChainInputs::readSweep(std::size_t v, Progre
   auto confidence = readConfidence(volume.grid, store_.fileOf(kStep, key, "confidence.mha"), progress);
   if (!confidence) return passOn(confidence.error());
   volume.grid = about->first;  // to the last bit, whatever the file's text of it says
-  auto view = std::make_shared<LoadedView>();
+  auto view = std::make_shared<ViewData>();
   view->volume = std::make_shared<const Volume>(std::move(volume));
   view->confidence = std::move(*confidence);
   view->beams = about->second;
   return view;
 }
 
-Result<std::shared_ptr<LoadedView>> ChainInputs::readView(std::size_t v, Progress& progress) {
+Result<std::shared_ptr<ViewData>> ChainInputs::readView(std::size_t v, Progress& progress) {
   const ProjectVolume& asked = project_.volumes[v];
   auto loaded = readVolume(asked.file, progress);
   if (!loaded) return passOn(loaded.error());
   Volume& volume = loaded->volume;
   if (!asked.coverage.empty())
     if (auto r = readCoverageInto(volume, asked.coverage, progress); !r) return passOn(r.error());
-  auto view = std::make_shared<LoadedView>();
+  auto view = std::make_shared<ViewData>();
   if (!asked.confidence.empty()) {
     auto confidence = readConfidence(volume.grid, asked.confidence, progress);
     if (!confidence) return passOn(confidence.error());
@@ -177,7 +177,7 @@ Result<std::shared_ptr<LoadedView>> ChainInputs::readView(std::size_t v, Progres
   return view;
 }
 
-Result<std::shared_ptr<const LoadedView>> ChainInputs::load(std::size_t v, Progress& progress) {
+Result<std::shared_ptr<const ViewData>> ChainInputs::load(std::size_t v, Progress& progress) {
   ChainInput& input = inputs_[v];
   if (input.view) return input.view;
   if (progress.cancelRequested()) return cancelledChain();

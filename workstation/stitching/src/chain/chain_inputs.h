@@ -20,7 +20,7 @@ struct ChainInput {
   std::string key;  ///< of its content, and of a sweep of how it is reconstructed
   Grid grid;        ///< of the volume; of a sweep once that is known
   std::uint64_t sweepBytes = 0;
-  std::shared_ptr<const LoadedView> view;  ///< once a step asked for its voxels
+  std::shared_ptr<const ViewData> view;  ///< once a step asked for its voxels
 };
 
 /// The inputs of a run: what names each, the volumes of sweeps (kept in the store under "reconstruct"), and voxels once a step asks for
@@ -51,7 +51,7 @@ class ChainInputs {
 
   /// The voxels of an input, read once; a damaged reconstruction is made again.
   /// @error what reading says; cancelled
-  [[nodiscard]] Result<std::shared_ptr<const LoadedView>> load(std::size_t v, Progress& progress);
+  [[nodiscard]] Result<std::shared_ptr<const ViewData>> load(std::size_t v, Progress& progress);
 
   /// What readers had to decide about the inputs that were read.
   [[nodiscard]] const std::vector<Message>& notes() const { return notes_; }
@@ -63,8 +63,8 @@ class ChainInputs {
   [[nodiscard]] Result<std::string> contentOf(const std::filesystem::path& file, Progress& progress);
   [[nodiscard]] Result<std::string> keyOf(std::size_t v, Progress& progress);
   [[nodiscard]] SweepVolumeOptions sweepOptions(std::size_t v) const;
-  [[nodiscard]] Result<std::shared_ptr<LoadedView>> readSweep(std::size_t v, Progress& progress);
-  [[nodiscard]] Result<std::shared_ptr<LoadedView>> readView(std::size_t v, Progress& progress);
+  [[nodiscard]] Result<std::shared_ptr<ViewData>> readSweep(std::size_t v, Progress& progress);
+  [[nodiscard]] Result<std::shared_ptr<ViewData>> readView(std::size_t v, Progress& progress);
 
   const StitchProject& project_;
   const ChainOptions& options_;

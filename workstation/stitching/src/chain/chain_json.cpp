@@ -41,7 +41,7 @@ PairOutcome pairFrom(const json& data) {
   return outcome;
 }
 
-ordered_json jsonOf(const WarpedPair& warped) {
+ordered_json jsonOf(const PairDeformation& warped) {
   ordered_json made;
   made["effort"] = nameOf(warped.effort);
   tellVerdict(made, warped);
@@ -54,8 +54,8 @@ ordered_json jsonOf(const WarpedPair& warped) {
   made["processor_s"] = number(warped.processor_s);
   return made;
 }
-WarpedPair warpedFrom(const json& data) {
-  WarpedPair warped;
+PairDeformation warpedFrom(const json& data) {
+  PairDeformation warped;
   using registration::ElasticEffort;
   warped.effort = wordFrom(data.at("effort"), {ElasticEffort::fast, ElasticEffort::balanced, ElasticEffort::accurate});
   readVerdict(data, warped);

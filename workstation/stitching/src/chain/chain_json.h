@@ -11,8 +11,8 @@ namespace ew::stitching {
 
 [[nodiscard]] nlohmann::ordered_json jsonOf(const PairOutcome& outcome);
 [[nodiscard]] PairOutcome pairFrom(const nlohmann::json& json);
-[[nodiscard]] nlohmann::ordered_json jsonOf(const WarpedPair& warped);  ///< without the two views it speaks of
-[[nodiscard]] WarpedPair warpedFrom(const nlohmann::json& data);
+[[nodiscard]] nlohmann::ordered_json jsonOf(const PairDeformation& warped);  ///< without the two views it speaks of
+[[nodiscard]] PairDeformation warpedFrom(const nlohmann::json& data);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const std::optional<Beams>& beams);
 [[nodiscard]] std::optional<Beams> beamsFrom(const nlohmann::json& json);
 [[nodiscard]] nlohmann::ordered_json jsonOf(const GreyCorrection& correction);

@@ -34,8 +34,8 @@ Result<std::vector<View>> ChainRun::views(Progress& progress) {
   return views;
 }
 
-std::vector<PlacedGrid> ChainRun::placedGrids() const {
-  std::vector<PlacedGrid> grids;
+std::vector<GridPlacement> ChainRun::placedGrids() const {
+  std::vector<GridPlacement> grids;
   for (const std::size_t v : included) grids.push_back({inputs[v].grid, poseOf(v), project.volumes[v].name});
   if (included.empty())
     for (std::size_t v = 0; v < inputs.size(); ++v) grids.push_back({inputs[v].grid, project.volumes[v].toWorld, project.volumes[v].name});

@@ -43,7 +43,7 @@ struct ChainRun {
   /// @error what reading says; cancelled
   [[nodiscard]] Result<std::vector<View>> views(Progress& progress);
   /// The boxes of those views; before the graph, of all at the places the project gives them.
-  [[nodiscard]] std::vector<PlacedGrid> placedGrids() const;
+  [[nodiscard]] std::vector<GridPlacement> placedGrids() const;
   /// Of the result. @error tooLarge
   [[nodiscard]] Result<Grid> resultGrid() const;
 

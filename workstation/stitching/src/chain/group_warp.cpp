@@ -148,7 +148,7 @@ struct NodeScratch {
 /// Views that warp together, on one lattice.
 class BendingGroup {
  public:
-  BendingGroup(std::span<const LoadedView* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
+  BendingGroup(std::span<const ViewData* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
                std::span<const PairWarp> pairs, const WarpOptions& options)
       : views_(views), toWorld_(toWorld), pairs_(pairs), options_(options) {
     std::vector<Grid> grids;
@@ -172,7 +172,7 @@ class BendingGroup {
   void solveNode(const glm::dvec3& p, NodeScratch& at) const;
   void shareSlice(int k, const Progress& progress, std::vector<double>& disagreements);
 
-  std::span<const LoadedView* const> views_;
+  std::span<const ViewData* const> views_;
   std::span<const Transform<frame::World, frame::View>> toWorld_;
   std::span<const PairWarp> pairs_;
   const WarpOptions& options_;
@@ -310,7 +310,7 @@ std::uint64_t forecastWarps_bytes(std::span<const Grid> placedGrids, std::size_t
   return nodes * (sizeof(glm::vec3) * (placedGrids.size() + 1) + sizeof(float) * (pairs + 1));
 }
 
-Result<GroupWarps> warpGroup(std::span<const LoadedView* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
+Result<GroupWarps> warpGroup(std::span<const ViewData* const> views, std::span<const Transform<frame::World, frame::View>> toWorld,
                              std::span<const PairWarp> pairs, const WarpOptions& options, Progress& progress) {
   PartOfProgress looking(progress, 0.0, 0.3), solving(progress, 0.3, 0.9), unfolding(progress, 0.9, 1.0);
   BendingGroup bending(views, toWorld, pairs, options);

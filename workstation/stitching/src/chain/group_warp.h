@@ -42,7 +42,7 @@ struct GroupWarps {
 /// fully where both views cover the node, and less and less outside, to nothing at fallOff_mm. See resources/decisions (warps of a group).
 /// @param toWorld one per view
 /// @error cancelled
-[[nodiscard]] Result<GroupWarps> warpGroup(std::span<const LoadedView* const> views,
+[[nodiscard]] Result<GroupWarps> warpGroup(std::span<const ViewData* const> views,
                                            std::span<const Transform<frame::World, frame::View>> toWorld, std::span<const PairWarp> pairs,
                                            const WarpOptions& options, Progress& progress);
 

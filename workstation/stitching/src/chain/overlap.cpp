@@ -117,7 +117,7 @@ Grid gridOf(const Grid& grid, const VoxelBox& box) {
   return part;
 }
 
-PartOfView partOf(const LoadedView& view, const VoxelBox& box) {
+PartOfView partOf(const ViewData& view, const VoxelBox& box) {
   const Volume& whole = *view.volume;
   PartOfView part;
   part.volume.grid = gridOf(whole.grid, box);

@@ -51,7 +51,7 @@ struct PartOfView {
   std::optional<Beams> beams;
   [[nodiscard]] registration::Input input() const { return {&volume, confidence, beams}; }
 };
-struct LoadedView;
-[[nodiscard]] PartOfView partOf(const LoadedView& view, const VoxelBox& box);
+struct ViewData;
+[[nodiscard]] PartOfView partOf(const ViewData& view, const VoxelBox& box);
 
 }  // namespace ew::stitching

@@ -131,7 +131,7 @@ std::uint64_t forecastPair_bytes(const Grid& fixed, const Grid& moving, const Pa
   return std::max(refined, registration::forecastPartial_bytes(fixed, moving, search));
 }
 
-Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving, const PairTask& task, int threads, Progress& progress,
+Result<PairOutcome> matchPair(const ViewData& fixed, const ViewData& moving, const PairTask& task, int threads, Progress& progress,
                               const registration::OnLevel& onLevel) {
   const auto named = [&](Error problem) {
     if (problem.code != ErrorCode::cancelled)

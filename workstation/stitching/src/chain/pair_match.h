@@ -11,7 +11,7 @@
 namespace ew::stitching {
 
 /// A volume of a project as the steps use it.
-struct LoadedView {
+struct ViewData {
   std::shared_ptr<const Volume> volume;
   std::vector<std::uint8_t> confidence;  ///< 255 for 1; empty: 1 wherever covered
   std::optional<Beams> beams;            ///< in its own frame; empty: not known
@@ -47,7 +47,7 @@ struct SearchReach {
 
 /// Brings two volumes together rigidly as the task says.
 /// @error what registering says, with the names of both volumes; cancelled
-[[nodiscard]] Result<PairOutcome> matchPair(const LoadedView& fixed, const LoadedView& moving, const PairTask& task, int threads,
+[[nodiscard]] Result<PairOutcome> matchPair(const ViewData& fixed, const ViewData& moving, const PairTask& task, int threads,
                                             Progress& progress, const registration::OnLevel& onLevel);
 
 /// Deviations of the same size along and about each axis.

@@ -69,7 +69,7 @@ std::string provenanceText(const StitchProject& project, const ChainState& state
                        {"disagreement_median_mm", warps.disagreementMedian_mm},
                        {"disagreement_95_mm", warps.disagreement95_mm},
                        {"of_pairs", ordered_json::array()}};
-  for (const WarpedPair& warped : state.warpedPairs)
+  for (const PairDeformation& warped : state.warpedPairs)
     document["bends"]["of_pairs"].push_back({{"fixed", project.volumes[warped.fixed].name},
                                              {"moving", project.volumes[warped.moving].name},
                                              {"effort", nameOf(warped.effort)},

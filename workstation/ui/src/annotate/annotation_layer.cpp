@@ -52,8 +52,8 @@ class AnnotationField final : public QLineEdit {
   }
 };
 
-AnnotationLayer::AnnotationLayer(Session& session, AnnotatedPictures& pictures, ScanView& scan)
-    : QWidget(&scan), session_(session), pictures_(pictures), scan_(scan) {
+AnnotationLayer::AnnotationLayer(Session& session, ImageAnnotations& images, ScanView& scan)
+    : QWidget(&scan), session_(session), images_(images), scan_(scan) {
   setObjectName(QStringLiteral("annotationLayer"));
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
@@ -79,8 +79,8 @@ AnnotationLayer::AnnotationLayer(Session& session, AnnotatedPictures& pictures, 
     fitField();
     complete();
   });
-  connect(&session_, &Session::pictureChanged, this, &AnnotationLayer::follow);
-  connect(&pictures_, &AnnotatedPictures::changed, this, &AnnotationLayer::showOrHide);
+  connect(&session_, &Session::imageChanged, this, &AnnotationLayer::follow);
+  connect(&images_, &ImageAnnotations::changed, this, &AnnotationLayer::showOrHide);
 }
 
 void AnnotationLayer::watch(QWidget* over, std::function<bool()> isInUse) {
@@ -93,19 +93,19 @@ void AnnotationLayer::finish() {
 }
 
 void AnnotationLayer::follow() {
-  // What stood still goes on: there is no picture any more that the text would belong to.
+  // What stood still goes on: there is no image any more that the text would belong to.
   if (isWriting() && !session_.isFrozen() && !session_.isPlaying()) endWriting(false);
-  if (!isHidden() && geometry() != scan_.pictureRect()) setGeometry(scan_.pictureRect());
+  if (!isHidden() && geometry() != scan_.imageRect()) setGeometry(scan_.imageRect());
   if (!isHidden()) update();
 }
 
 void AnnotationLayer::showOrHide() {
-  const bool isWanted = !pictures_.all().empty() || pictures_.isArrowAtHand();
-  if (isWanted) setGeometry(scan_.pictureRect());
+  const bool isWanted = !images_.all().empty() || images_.isArrowAtHand();
+  if (isWanted) setGeometry(scan_.imageRect());
   if (isWanted && isHidden()) raise();
   setVisible(isWanted);
   if (!isWanted) drag_.reset();
-  if (pictures_.isArrowAtHand()) {
+  if (images_.isArrowAtHand()) {
     scan_.setCursor(Qt::CrossCursor);
     hasCursor_ = true;
   } else if (hasCursor_ && !drag_) {
@@ -117,7 +117,7 @@ void AnnotationLayer::showOrHide() {
 }
 
 QPointF AnnotationLayer::placeOf(const glm::dvec2& at_mm) const {
-  return scan_.positionOf(Point<frame::Probe>{{at_mm.x, at_mm.y, 0.0}}) - QPointF(scan_.pictureRect().topLeft());
+  return scan_.positionOf(Point<frame::Probe>{{at_mm.x, at_mm.y, 0.0}}) - QPointF(scan_.imageRect().topLeft());
 }
 
 glm::dvec2 AnnotationLayer::pointAt(const QPointF& at) const {
@@ -126,32 +126,32 @@ glm::dvec2 AnnotationLayer::pointAt(const QPointF& at) const {
 }
 
 std::optional<AnnotationFound> AnnotationLayer::foundAt(const QPointF& at) const {
-  if (pictures_.all().empty() || session_.geometry().pixel_mm <= 0.0 || isOverInUse_()) return std::nullopt;
+  if (images_.all().empty() || session_.geometry().pixel_mm <= 0.0 || isOverInUse_()) return std::nullopt;
   const double mm = scan_.mmPerWidgetPixel();
   const double alongX = session_.geometry().markerLeft ? -1.0 : 1.0;
-  return annotationNear(pictures_.list().now(), pointAt(at), kTakenWithin_px * mm, [&](const annotation::Annotation& text) {
+  return annotationNear(images_.list().now(), pointAt(at), kTakenWithin_px * mm, [&](const annotation::Annotation& text) {
     const QSizeF size = annotationSize(text.text);
     return annotation::TextSize{{size.width() * mm, size.height() * mm}, alongX};
   });
 }
 
 QPointF AnnotationLayer::homePlace() const {
-  const QRect picture = scan_.pictureRect();
-  const glm::dvec2 share = pictures_.home().share;
-  return QPointF(picture.topLeft()) + QPointF(share.x * picture.width(), share.y * picture.height());
+  const QRect image = scan_.imageRect();
+  const glm::dvec2 share = images_.home().share;
+  return QPointF(image.topLeft()) + QPointF(share.x * image.width(), share.y * image.height());
 }
 
 void AnnotationLayer::setHomeHere() {
-  const QRect picture = scan_.pictureRect();
+  const QRect image = scan_.imageRect();
   QPointF at = scan_.mapFromGlobal(QCursor::pos());
-  const annotation::Annotation* chosen = pictures_.list().now().find(pictures_.selected());
+  const annotation::Annotation* chosen = images_.list().now().find(images_.selected());
   if (isWriting())
     at = fieldAt_;
   else if (chosen != nullptr)
-    at = placeOf(chosen->at_mm) + QPointF(picture.topLeft());
-  else if (!picture.contains(at.toPoint()))
+    at = placeOf(chosen->at_mm) + QPointF(image.topLeft());
+  else if (!image.contains(at.toPoint()))
     return;
-  pictures_.setHome({{(at.x() - picture.left()) / picture.width(), (at.y() - picture.top()) / picture.height()}});
+  images_.setHome({{(at.x() - image.left()) / image.width(), (at.y() - image.top()) / image.height()}});
 }
 
 bool AnnotationLayer::isWriting() const { return !field_->isHidden(); }
@@ -163,13 +163,13 @@ void AnnotationLayer::write(const QString& words) {
     return fitField();
   }
   const QPoint pointer = scan_.mapFromGlobal(QCursor::pos());
-  const bool isOverImage = scan_.underMouse() && scan_.pictureRect().contains(pointer) && words.isEmpty();
+  const bool isOverImage = scan_.underMouse() && scan_.imageRect().contains(pointer) && words.isEmpty();
   writeAt(isOverImage ? QPointF(pointer) : homePlace(), words, 0);
 }
 
 void AnnotationLayer::writeAt(const QPointF& at, const QString& words, int number) {
-  if (!pictures_.hold()) return;
-  pictures_.putDown();
+  if (!images_.hold()) return;
+  images_.putDown();
   rewritten_ = number;
   field_->setText(words);
   field_->show();
@@ -197,7 +197,7 @@ void AnnotationLayer::fitField() {
 
 void AnnotationLayer::complete() {
   QStringList offered;
-  for (const std::string& whole : annotation::completionsOf(field_->text().toStdString(), pictures_.terms()))
+  for (const std::string& whole : annotation::completionsOf(field_->text().toStdString(), images_.terms()))
     offered.push_back(QString::fromStdString(whole));
   completions_->setStringList(offered);
   if (offered.isEmpty())
@@ -215,7 +215,7 @@ void AnnotationLayer::endWriting(bool keeps) {
   if (hadFocus) scan_.setFocus(Qt::OtherFocusReason);
   if (!keeps) return;
   const glm::dvec2 at_mm = pointAt(fieldAt_);
-  pictures_.change([&](AnnotationList& list) {
+  images_.change([&](AnnotationList& list) {
     if (rewritten_ != 0)
       list.setText(rewritten_, text);
     else
@@ -228,19 +228,19 @@ bool AnnotationLayer::hasNothingTyped() const { return isWriting() && rewritten_
 bool AnnotationLayer::press(const QPointF& at) {
   const bool isEmpty = std::exchange(isLeftEmpty_, false) || hasNothingTyped();
   if (isWriting()) endWriting(true);
-  if (!scan_.pictureRect().contains(at.toPoint())) return false;
+  if (!scan_.imageRect().contains(at.toPoint())) return false;
   if (isEmpty) {
     writeAt(at, {}, 0);
     return true;
   }
-  if (pictures_.isArrowAtHand()) {
+  if (images_.isArrowAtHand()) {
     drag_ = Drag{0, AnnotationPart::tip, at, at, false};
     return true;
   }
   const auto found = foundAt(at);
-  pictures_.select(found ? found->number : 0);
+  images_.select(found ? found->number : 0);
   if (!found) return false;
-  pictures_.hold();
+  images_.hold();
   drag_ = Drag{found->number, found->part, at, at, false};
   return true;
 }
@@ -254,7 +254,7 @@ bool AnnotationLayer::move(const QPointF& at) {
     const glm::dvec2 by_mm = pointAt(at) - pointAt(drag_->to);
     const Change change = drag_->hasMoved ? Change::goesOn : Change::begins;
     bool isMoved = false;
-    pictures_.change([&](AnnotationList& list) { isMoved = list.move(drag_->number, drag_->part, by_mm, change); });
+    images_.change([&](AnnotationList& list) { isMoved = list.move(drag_->number, drag_->part, by_mm, change); });
     if (!isMoved) return true;  // it stays where it was, and goes on from there
     drag_->hasMoved = true;
   }
@@ -271,31 +271,31 @@ bool AnnotationLayer::release(const QPointF& at) {
   const QPointF along = at - drag.from;
   const bool isDrawn = std::hypot(along.x(), along.y()) >= kDrawn_px;
   const glm::dvec2 tail_mm = pointAt(isDrawn ? drag.from : at + kUsualArrow_px), tip_mm = pointAt(at);
-  pictures_.change([&](AnnotationList& list) { list.addArrow(tail_mm, tip_mm); });
-  pictures_.putDown();
+  images_.change([&](AnnotationList& list) { list.addArrow(tail_mm, tip_mm); });
+  images_.putDown();
   return true;
 }
 
 bool AnnotationLayer::isOwnKey(const QKeyEvent& event) const {
   const std::string command = keys_->meant(event, kWithChosen);
-  return command == "escape" ? pictures_.selected() != 0 || pictures_.isArrowAtHand() : !command.empty() && pictures_.selected() != 0;
+  return command == "escape" ? images_.selected() != 0 || images_.isArrowAtHand() : !command.empty() && images_.selected() != 0;
 }
 
 bool AnnotationLayer::key(const QKeyEvent& event) {
   const std::string command = keys_->meant(event, kWithChosen);
-  if (command == "escape" && pictures_.isArrowAtHand()) {
+  if (command == "escape" && images_.isArrowAtHand()) {
     drag_.reset();
-    pictures_.putDown();
+    images_.putDown();
     return true;
   }
-  const int chosen = pictures_.selected();
+  const int chosen = images_.selected();
   if (chosen == 0) return false;
   if (command == "escape")
-    pictures_.select(0);
+    images_.select(0);
   else if (command == "chosen.delete")
-    pictures_.change([&](AnnotationList& list) { list.remove(chosen); });
+    images_.change([&](AnnotationList& list) { list.remove(chosen); });
   else if (command == "chosen.deleteWord")
-    pictures_.change([&](AnnotationList& list) { list.removeLastWord(chosen); });
+    images_.change([&](AnnotationList& list) { list.removeLastWord(chosen); });
   else
     return false;
   return true;
@@ -335,8 +335,8 @@ bool AnnotationLayer::fieldKey(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 void AnnotationLayer::showCursor(const QPointF& at) {
-  if (pictures_.isArrowAtHand()) return;
-  const bool isOver = scan_.pictureRect().contains(at.toPoint()) && foundAt(at).has_value();
+  if (images_.isArrowAtHand()) return;
+  const bool isOver = scan_.imageRect().contains(at.toPoint()) && foundAt(at).has_value();
   if (isOver == hasCursor_) return;
   hasCursor_ = isOver;
   if (isOver)
@@ -375,11 +375,11 @@ bool AnnotationLayer::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonDblClick: {
       const auto [at, moved] = mouse();
       const auto found = moved->button() == Qt::LeftButton ? foundAt(at) : std::nullopt;
-      const annotation::Annotation* text = found ? pictures_.list().now().find(found->number) : nullptr;
+      const annotation::Annotation* text = found ? images_.list().now().find(found->number) : nullptr;
       if (text == nullptr) return false;
       drag_.reset();
       if (text->kind == AnnotationKind::text)
-        writeAt(placeOf(text->at_mm) + QPointF(scan_.pictureRect().topLeft()), QString::fromStdString(text->text), text->number);
+        writeAt(placeOf(text->at_mm) + QPointF(scan_.imageRect().topLeft()), QString::fromStdString(text->text), text->number);
       return true;
     }
     case QEvent::ShortcutOverride:
@@ -396,12 +396,12 @@ bool AnnotationLayer::eventFilter(QObject* watched, QEvent* event) {
 void AnnotationLayer::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const Theme theme = scanTheme();
-  std::vector<annotation::Annotation> shown = pictures_.all();
+  std::vector<annotation::Annotation> shown = images_.all();
   if (isWriting() && rewritten_ != 0) std::erase_if(shown, [&](const auto& each) { return each.number == rewritten_; });
-  paintAnnotations(painter, shown, pictures_.selected(), [this](const glm::dvec2& at_mm) { return placeOf(at_mm); },
+  paintAnnotations(painter, shown, images_.selected(), [this](const glm::dvec2& at_mm) { return placeOf(at_mm); },
                    {theme.text, theme.accent});
   if (drag_ && drag_->number == 0) {
-    const QPointF corner(scan_.pictureRect().topLeft());
+    const QPointF corner(scan_.imageRect().topLeft());
     paintArrow(painter, drag_->from - corner, drag_->to - corner, theme.accent);
   }
 }

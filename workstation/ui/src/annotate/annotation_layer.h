@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "annotate/annotated_pictures.h"
+#include "annotate/image_annotations.h"
 #include "keys/key_map.h"
 
 class QCompleter;
@@ -25,7 +25,7 @@ class AnnotationLayer final : public QWidget {
   Q_OBJECT
 
  public:
-  AnnotationLayer(Session& session, AnnotatedPictures& pictures, ScanView& scan);
+  AnnotationLayer(Session& session, ImageAnnotations& images, ScanView& scan);
   /// Whose events are looked at as well; lies over the scan view. @param isInUse while it is, a press there means what lies over
   void watch(QWidget* over, std::function<bool()> isInUse);
   void setKeys(const KeyMap& keys) { keys_ = &keys; }
@@ -38,7 +38,7 @@ class AnnotationLayer final : public QWidget {
   void finish();
   [[nodiscard]] bool isWriting() const;
   [[nodiscard]] QLineEdit& field() const { return *field_; }
-  /// Where a point of the picture's plane is painted.
+  /// Where a point of the image's plane is painted.
   [[nodiscard]] QPointF placeOf(const glm::dvec2& at_mm) const;
 
  Q_SIGNALS:
@@ -70,7 +70,7 @@ class AnnotationLayer final : public QWidget {
   [[nodiscard]] std::optional<annotation::AnnotationFound> foundAt(const QPointF& at) const;
 
   Session& session_;
-  AnnotatedPictures& pictures_;
+  ImageAnnotations& images_;
   ScanView& scan_;
   const KeyMap* keys_ = &usualKeys();
   QLineEdit* field_ = nullptr;

@@ -19,7 +19,7 @@ struct AnnotationColours {
   QColor chosen;
 };
 
-/// Texts to the right of their places, arrows to theirs. @param pixelOf where a point of the picture's plane lies
+/// Texts to the right of their places, arrows to theirs. @param pixelOf where a point of the image's plane lies
 void paintAnnotations(QPainter& painter, const std::vector<annotation::Annotation>& all, int selected,
                       const std::function<QPointF(const glm::dvec2&)>& pixelOf, const AnnotationColours& colours);
 /// An arrow that is being drawn.

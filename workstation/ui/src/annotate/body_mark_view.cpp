@@ -23,7 +23,7 @@ constexpr double kTurnPerStep_rad = std::numbers::pi / 12.0;  // 15 degrees for 
 
 }  // namespace
 
-BodyMarkView::BodyMarkView(ShownMark& mark, ScanView& scan)
+BodyMarkView::BodyMarkView(ImageBodyMark& mark, ScanView& scan)
     : QWidget(&scan), mark_(mark), scan_(scan), corner_(qBound(0, QSettings().value(kCornerSetting, 2).toInt(), 3)) {
   setObjectName(QStringLiteral("bodyMark"));
   resize(kMark_px, kMark_px);
@@ -34,7 +34,7 @@ BodyMarkView::BodyMarkView(ShownMark& mark, ScanView& scan)
   hide();
   scan.installEventFilter(this);
   connect(&scan, &ScanView::arranged, this, &BodyMarkView::followScan);
-  connect(&mark_, &ShownMark::changed, this, &BodyMarkView::showOrHide);
+  connect(&mark_, &ImageBodyMark::changed, this, &BodyMarkView::showOrHide);
 }
 
 void BodyMarkView::placeIn(int corner) {
@@ -54,7 +54,7 @@ void BodyMarkView::showOrHide() {
 
 void BodyMarkView::followScan() {
   // A magnified image and a strip leave no black for it.
-  const bool isShown = mark_.mark() != nullptr && !scan_.isZoomed() && scan_.stripRect() != scan_.pictureRect();
+  const bool isShown = mark_.mark() != nullptr && !scan_.isZoomed() && scan_.stripRect() != scan_.imageRect();
   if (isShown == isHidden()) setVisible(isShown);
   arrange();
 }

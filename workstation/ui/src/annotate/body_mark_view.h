@@ -4,20 +4,20 @@
 #include <QWidget>
 #include <optional>
 
-#include "annotate/shown_mark.h"
+#include "annotate/image_body_mark.h"
 
 namespace ew::ui {
 
 class ScanView;
 
 /// The body mark in a corner of the scan, beside the fan: in the corner that was chosen as long as the fan leaves it free, otherwise in one
-/// that is, smaller where there is little black. Dragged, it goes to the corner that is nearest; on a picture that stands still the probe
+/// that is, smaller where there is little black. Dragged, it goes to the corner that is nearest; on an image that stands still the probe
 /// on it is dragged and, with the wheel, turned. A double click lets it follow the probe again.
 class BodyMarkView final : public QWidget {
   Q_OBJECT
 
  public:
-  BodyMarkView(ShownMark& mark, ScanView& scan);
+  BodyMarkView(ImageBodyMark& mark, ScanView& scan);
   /// That was chosen: 0 upper left, 1 upper right, 2 lower left, 3 lower right.
   [[nodiscard]] int corner() const { return corner_; }
   void setCorner(int corner);  ///< kept for the next start
@@ -38,7 +38,7 @@ class BodyMarkView final : public QWidget {
   void arrange();
   [[nodiscard]] bool isOnGlyph(const QPointF& at) const;
 
-  ShownMark& mark_;
+  ImageBodyMark& mark_;
   ScanView& scan_;
   int corner_ = 2;
   bool movesGlyph_ = false;

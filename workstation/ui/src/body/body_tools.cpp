@@ -29,22 +29,22 @@ double stepOf(const Handle& handle) { return handle.kind == Handle::Kind::move ?
 struct Nudge {
   const char* command;
   Handle::Kind kind;
-  bridge::AxisSense bridge::SeenAxes::*along;
+  bridge::AxisSense bridge::ViewAxes::*along;
   double way;
 };
 // What faces the viewer turns to where the key's arrow points; a turn about the line of sight is clockwise with Page down.
-constexpr std::array kNudges{Nudge{"handles.left", Handle::Kind::move, &bridge::SeenAxes::right, -1.0},
-                             Nudge{"handles.right", Handle::Kind::move, &bridge::SeenAxes::right, 1.0},
-                             Nudge{"handles.up", Handle::Kind::move, &bridge::SeenAxes::up, 1.0},
-                             Nudge{"handles.down", Handle::Kind::move, &bridge::SeenAxes::up, -1.0},
-                             Nudge{"handles.nearer", Handle::Kind::move, &bridge::SeenAxes::away, -1.0},
-                             Nudge{"handles.farther", Handle::Kind::move, &bridge::SeenAxes::away, 1.0},
-                             Nudge{"handles.turnLeft", Handle::Kind::turn, &bridge::SeenAxes::up, -1.0},
-                             Nudge{"handles.turnRight", Handle::Kind::turn, &bridge::SeenAxes::up, 1.0},
-                             Nudge{"handles.turnUp", Handle::Kind::turn, &bridge::SeenAxes::right, -1.0},
-                             Nudge{"handles.turnDown", Handle::Kind::turn, &bridge::SeenAxes::right, 1.0},
-                             Nudge{"handles.turnBack", Handle::Kind::turn, &bridge::SeenAxes::away, -1.0},
-                             Nudge{"handles.turnOn", Handle::Kind::turn, &bridge::SeenAxes::away, 1.0}};
+constexpr std::array kNudges{Nudge{"handles.left", Handle::Kind::move, &bridge::ViewAxes::right, -1.0},
+                             Nudge{"handles.right", Handle::Kind::move, &bridge::ViewAxes::right, 1.0},
+                             Nudge{"handles.up", Handle::Kind::move, &bridge::ViewAxes::up, 1.0},
+                             Nudge{"handles.down", Handle::Kind::move, &bridge::ViewAxes::up, -1.0},
+                             Nudge{"handles.nearer", Handle::Kind::move, &bridge::ViewAxes::away, -1.0},
+                             Nudge{"handles.farther", Handle::Kind::move, &bridge::ViewAxes::away, 1.0},
+                             Nudge{"handles.turnLeft", Handle::Kind::turn, &bridge::ViewAxes::up, -1.0},
+                             Nudge{"handles.turnRight", Handle::Kind::turn, &bridge::ViewAxes::up, 1.0},
+                             Nudge{"handles.turnUp", Handle::Kind::turn, &bridge::ViewAxes::right, -1.0},
+                             Nudge{"handles.turnDown", Handle::Kind::turn, &bridge::ViewAxes::right, 1.0},
+                             Nudge{"handles.turnBack", Handle::Kind::turn, &bridge::ViewAxes::away, -1.0},
+                             Nudge{"handles.turnOn", Handle::Kind::turn, &bridge::ViewAxes::away, 1.0}};
 
 /// Words on a ground of their own, within `room`, centred about `middle`.
 void paintWords(QPainter& painter, const QString& text, const QPointF& middle, const QRectF& room) {
@@ -234,7 +234,7 @@ void BodyTools::nudge(const std::string& command) {
   const auto from = renamed<frame::World, bridge::HandlesFrame>(handles_->shown.toWorld);
   const bridge::Scene3D& scene = view_.scene();
   const glm::dvec3 right = scene.cameraRight(), up = scene.cameraUp();
-  const bridge::SeenAxes seen = bridge::axesAsSeen(from, right, up, glm::cross(up, right));
+  const bridge::ViewAxes seen = bridge::axesAsSeen(from, right, up, glm::cross(up, right));
   for (const Nudge& each : kNudges) {
     if (command != each.command) continue;
     const bridge::AxisSense& sense = seen.*each.along;

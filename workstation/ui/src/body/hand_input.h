@@ -33,8 +33,8 @@ class HandInput : public QObject {
 
   /// Watches the 3D view; its skin is the one the probe slides on, in both views.
   void watch(View3D* view);
-  /// Watches a scan view. @param lateralPerPixel_mm what one pixel to the right in the picture is along the probe's lateral axis, in mm;
-  ///        negative when the picture shows the marker's side at the left (the sign of imageToProbe's first entry)
+  /// Watches a scan view. @param lateralPerPixel_mm what one pixel to the right in the image is along the probe's lateral axis, in mm;
+  ///        negative when the image shows the marker's side at the left (the sign of imageToProbe's first entry)
   void watch(QWidget* scanView, std::function<double()> lateralPerPixel_mm);
 
   [[nodiscard]] const Hold& hold() const;

@@ -138,17 +138,17 @@ class HostOverlays::Shown final : public sdk::Overlay<Drawing> {
 };
 
 /// Handles; when it goes, they go.
-class HostOverlays::ShownHandles final : public sdk::HandlesOverlay {
+class HostOverlays::HandlesEntry final : public sdk::HandlesOverlay {
  public:
-  ShownHandles(HostOverlays& host, std::shared_ptr<Handles> handles) : host_(&host), handles_(std::move(handles)) {
+  HandlesEntry(HostOverlays& host, std::shared_ptr<Handles> handles) : host_(&host), handles_(std::move(handles)) {
     host_->handles_.push_back(handles_);
     Q_EMIT host_->handlesChanged();
   }
-  ~ShownHandles() override {
+  ~HandlesEntry() override {
     if (host_ && std::erase(host_->handles_, handles_) > 0) Q_EMIT host_->handlesChanged();
   }
-  ShownHandles(const ShownHandles&) = delete;
-  ShownHandles& operator=(const ShownHandles&) = delete;
+  HandlesEntry(const HandlesEntry&) = delete;
+  HandlesEntry& operator=(const HandlesEntry&) = delete;
   void show(sdk::BodyHandles handles) override {
     if (handles_->shown == handles) return;
     handles_->shown = std::move(handles);
@@ -186,7 +186,7 @@ sdk::Ticket HostOverlays::showInBody(const sdk::BodyAids& aids) {
 }
 
 std::shared_ptr<sdk::HandlesOverlay> HostOverlays::showHandles(const sdk::BodyHandles& handles, sdk::HandlesMoved moved) {
-  return std::make_shared<ShownHandles>(*this, std::make_shared<Handles>(Handles{handles, std::move(moved)}));
+  return std::make_shared<HandlesEntry>(*this, std::make_shared<Handles>(Handles{handles, std::move(moved)}));
 }
 
 sdk::Ticket HostOverlays::askForBodyPoint(const std::string& hint, std::function<void(const Point<frame::World>&)> pointed,

@@ -72,7 +72,7 @@ class HostOverlays final : public QObject, public sdk::Overlays {
   std::vector<std::weak_ptr<Shown<sdk::ScanDrawing>>> scan_;
   std::vector<std::weak_ptr<Shown<sdk::BodyDrawing>>> body_;
   std::vector<std::shared_ptr<const sdk::BodyAids>> aids_;
-  class ShownHandles;
+  class HandlesEntry;
   std::vector<std::shared_ptr<Handles>> handles_;
   std::vector<std::shared_ptr<const Asking>> askings_;
 };

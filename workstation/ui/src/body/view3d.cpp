@@ -274,8 +274,8 @@ void View3D::setProbeVisible(bool visible) {
   render();
 }
 
-void View3D::setFanImage(const Picture& picture, const DisplayGeometry& geometry) {
-  parts_->scene->setFanImage(picture, geometry);
+void View3D::setFanImage(const DisplayImage& image, const DisplayGeometry& geometry) {
+  parts_->scene->setFanImage(image, geometry);
   render();
 }
 

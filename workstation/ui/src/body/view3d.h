@@ -23,7 +23,7 @@ class QPainter;
 
 namespace ew::ui {
 
-/// The mannequin with volume box, probe and live fan, as an interactive picture. Every setter asks for one redraw at the end of the
+/// The mannequin with volume box, probe and live fan, as an interactive image. Every setter asks for one redraw at the end of the
 /// current turn of the event loop; nothing is drawn twice. Points are in logical pixels of its canvas, above which
 /// the buttons of the camera stand.
 class View3D : public QWidget {
@@ -46,7 +46,7 @@ class View3D : public QWidget {
   void setPose(const Pose& pose);  ///< a pose that is not ok hides probe and fan
   void setProbeVisible(bool visible);
   /// Pixels and where they lie; copied, so the view may change afterwards.
-  void setFanImage(const Picture& picture, const DisplayGeometry& geometry);
+  void setFanImage(const DisplayImage& image, const DisplayGeometry& geometry);
   void clearFanImage();  ///< the fan becomes a tinted pane
 
   void setDarkTheme(bool dark);
@@ -66,7 +66,7 @@ class View3D : public QWidget {
   /// Draws once, soon: at the end of this turn of the event loop, or after a rest twice as long as the last drawing took; edges are
   /// smoothed when nothing has moved for a quarter of a second.
   void render();
-  /// Draws at once with smooth edges, for screenshots; the picture is complete when this returns.
+  /// Draws at once with smooth edges, for screenshots; the image is complete when this returns.
   void renderNow();
 
   /// Where the ray through a pixel first meets the skin.

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "case/case_pictures.h"
+#include "case/case_images.h"
 #include "ew/library/case.h"
 #include "ew/library/case_words.h"
 #include "ew/widgets/icons.h"
@@ -170,7 +170,7 @@ void CaseInfo::fill(const Case& shown) {
     addHeading(tr("Previous examinations"));
     for (const CaseExamination& examination : shown.previousExaminations) {
       addText(examinationOf(examination));
-      if (!examination.pictures.empty()) rows_->addWidget(casePictures(shown.folder, examination.pictures, examinationOf(examination)));
+      if (!examination.images.empty()) rows_->addWidget(caseImages(shown.folder, examination.images, examinationOf(examination)));
     }
   }
   if (!shown.laboratory.empty()) {

@@ -14,7 +14,7 @@
 
 #include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
-#include "images/stored_examination.h"
+#include "images/examination_store.h"
 #include "jobs/jobs.h"
 #include "measure/worksheets/worksheets.h"
 
@@ -30,7 +30,7 @@ constexpr double kPatience_s = 10.0;  ///< with an archive that is silent, while
 
 }  // namespace
 
-ExaminationDialog::ExaminationDialog(StoredExamination& stored, Worksheets& worksheets, Jobs& jobs, QWidget* parent)
+ExaminationDialog::ExaminationDialog(ExaminationStore& stored, Worksheets& worksheets, Jobs& jobs, QWidget* parent)
     : QDialog(parent), stored_(stored), worksheets_(worksheets), jobs_(jobs) {
   setObjectName(QStringLiteral("examinationDialog"));
   setWindowTitle(tr("Examination"));
@@ -94,7 +94,7 @@ ExaminationDialog::ExaminationDialog(StoredExamination& stored, Worksheets& work
   connect(remove_, &QPushButton::clicked, this, [this] {
     if (images_->currentRow() >= 0) stored_.remove(static_cast<std::size_t>(images_->currentRow()));
   });
-  connect(&stored_, &StoredExamination::changed, this, &ExaminationDialog::showAll);
+  connect(&stored_, &ExaminationStore::changed, this, &ExaminationDialog::showAll);
   setWaiting({});
   showAll();
 }
@@ -209,7 +209,7 @@ void ExaminationDialog::showAll() {
       const auto& item = items[n];
       const QString when = item.caption.section(QStringLiteral(", "), -1);  // all of it is in the tip
       auto* shown =
-          new QListWidgetItem(QIcon(QPixmap::fromImage(item.picture.scaled(kThumbnail_px, Qt::KeepAspectRatio, Qt::SmoothTransformation))),
+          new QListWidgetItem(QIcon(QPixmap::fromImage(item.image.scaled(kThumbnail_px, Qt::KeepAspectRatio, Qt::SmoothTransformation))),
                               QStringLiteral("%1.  %2").arg(n + 1).arg(when));
       shown->setToolTip(item.caption);
       images_->addItem(shown);

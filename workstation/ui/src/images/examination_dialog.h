@@ -16,7 +16,7 @@ class QVBoxLayout;
 namespace ew::ui {
 
 class Jobs;
-class StoredExamination;
+class ExaminationStore;
 class Worksheets;
 
 /// Stored images and worksheets of the patient who is scanned, and the archive they go to. The archive is remembered.
@@ -24,7 +24,7 @@ class ExaminationDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  ExaminationDialog(StoredExamination& stored, Worksheets& worksheets, Jobs& jobs, QWidget* parent);
+  ExaminationDialog(ExaminationStore& stored, Worksheets& worksheets, Jobs& jobs, QWidget* parent);
 
   /// As the fields have it.
   [[nodiscard]] DicomArchive archive() const;
@@ -42,7 +42,7 @@ class ExaminationDialog final : public QDialog {
   void showAll();
   void testArchive();
 
-  StoredExamination& stored_;
+  ExaminationStore& stored_;
   Worksheets& worksheets_;
   Jobs& jobs_;
   QListWidget* images_ = nullptr;

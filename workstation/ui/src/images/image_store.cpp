@@ -10,8 +10,8 @@
 #include "ew/core/json_fields.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
-#include "ew/scanning/picture_file.h"
-#include "ew/widgets/picture_image.h"
+#include "ew/scanning/display_image_file.h"
+#include "ew/widgets/qt_image.h"
 #include "ew/widgets/words.h"
 
 namespace ew::ui {
@@ -27,33 +27,33 @@ std::string folderNameOf(const std::string& name) {
   return QCryptographicHash::hash(QByteArray::fromStdString(name), QCryptographicHash::Sha256).toHex().left(16).toStdString();
 }
 
-Result<void> writeKept(const fs::path& folder, const QImage& picture, const StoredImage& about) {
+Result<void> writeKept(const fs::path& folder, const QImage& image, const ImageRecord& about) {
   std::error_code failed;
   fs::create_directories(folder.parent_path(), failed);  // the library's; others may have folders there
   if (auto made = makePrivateFolder(folder); !made) return made;
   const fs::path file = folder / (about.options.instanceUid + ".png");
   const auto written =
-      picture.format() == QImage::Format_Grayscale8
-          ? writePicture(Picture{{picture.constBits(), picture.width(), picture.height(), picture.bytesPerLine()}}, 1.0, file)
-          : writePicture(coloursOf(picture), 1.0, file);
+      image.format() == QImage::Format_Grayscale8
+          ? writeDisplayImage(DisplayImage{{image.constBits(), image.width(), image.height(), image.bytesPerLine()}}, 1.0, file)
+          : writeDisplayImage(coloursOf(image), 1.0, file);
   if (!written) return written;
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, failed);
   return writePrivateFile(folder / (about.options.instanceUid + ".json"),
                           toJson(about).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-std::vector<StoredImage> notesIn(const fs::path& folder) {
-  std::vector<StoredImage> all;
+std::vector<ImageRecord> notesIn(const fs::path& folder) {
+  std::vector<ImageRecord> all;
   std::error_code failed;
   for (fs::directory_iterator at(folder, failed); !failed && at != fs::directory_iterator(); at.increment(failed)) {
     if (at->path().extension() != ".json") continue;
     const Message where = verbatim(at->path().string());
     const auto text = readTextFile(at->path(), kLongestNote_bytes);
     const auto document = text ? parseJsonObject(*text, where) : Result<nlohmann::json>(passOn(text.error()));
-    auto note = document ? storedImageFromJson(*document, where) : Result<StoredImage>(passOn(document.error()));
+    auto note = document ? storedImageFromJson(*document, where) : Result<ImageRecord>(passOn(document.error()));
     if (note && at->path().stem() == note->options.instanceUid) all.push_back(std::move(*note));
   }
-  std::sort(all.begin(), all.end(), [](const StoredImage& a, const StoredImage& b) {
+  std::sort(all.begin(), all.end(), [](const ImageRecord& a, const ImageRecord& b) {
     return std::pair(a.options.taken, a.options.number) < std::pair(b.options.taken, b.options.number);
   });
   if (all.size() > kMostShown) all.erase(all.begin(), all.end() - kMostShown);
@@ -62,11 +62,11 @@ std::vector<StoredImage> notesIn(const fs::path& folder) {
 
 std::vector<ImageStore::Kept> readKept(const fs::path& folder) {
   std::vector<ImageStore::Kept> all;
-  for (StoredImage& note : notesIn(folder)) {
-    QImage picture;
-    if (!picture.load(wordsOf(folder / (note.options.instanceUid + ".png")))) continue;
-    picture = picture.convertToFormat(picture.isGrayscale() ? QImage::Format_Grayscale8 : QImage::Format_RGB888);
-    all.push_back({std::move(picture), std::move(note)});
+  for (ImageRecord& note : notesIn(folder)) {
+    QImage image;
+    if (!image.load(wordsOf(folder / (note.options.instanceUid + ".png")))) continue;
+    image = image.convertToFormat(image.isGrayscale() ? QImage::Format_Grayscale8 : QImage::Format_RGB888);
+    all.push_back({std::move(image), std::move(note)});
   }
   return all;
 }
@@ -92,10 +92,10 @@ void ImageStore::turnTo(const fs::path& folder) {
   });
 }
 
-void ImageStore::keep(const QImage& picture, const StoredImage& about) {
+void ImageStore::keep(const QImage& image, const ImageRecord& about) {
   if (folder_.empty()) return;
-  worker_.add([this, folder = folder_, picture, about] {
-    const auto written = writeKept(folder, picture, about);
+  worker_.add([this, folder = folder_, image, about] {
+    const auto written = writeKept(folder, image, about);
     if (written) return;
     QMetaObject::invokeMethod(
         this, [this, problem = written.error(), uid = about.options.instanceUid] { Q_EMIT failed(uid, problem); }, Qt::QueuedConnection);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ew/export/stored_image.h"
+#include "ew/export/image_record.h"
 #include "ew/widgets/worker.h"
 
 namespace ew::ui {
@@ -18,8 +18,8 @@ class ImageStore final : public QObject {
 
  public:
   struct Kept {
-    QImage picture;  ///< Format_Grayscale8 or Format_RGB888
-    StoredImage about;
+    QImage image;  ///< Format_Grayscale8 or Format_RGB888
+    ImageRecord about;
   };
 
   explicit ImageStore(QObject* parent = nullptr);
@@ -32,7 +32,7 @@ class ImageStore final : public QObject {
   void turnTo(const std::filesystem::path& folder);
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-  void keep(const QImage& picture, const StoredImage& about);
+  void keep(const QImage& image, const ImageRecord& about);
   void remove(const std::string& instanceUid);
   /// Waits until all is written.
   void flush();

@@ -20,8 +20,8 @@
 #include <algorithm>
 
 #include "ew/io/sequence.h"
+#include "ew/widgets/image_chooser.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/picture_chooser.h"
 #include "ew/widgets/save_file.h"
 #include "ew/widgets/small_result_question.h"
 #include "ew/widgets/theme.h"
@@ -75,8 +75,8 @@ void FileImportDialog::addRows() {
   form->setVerticalSpacing(8);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  if (kind_ == FileKind::dicomPictures || kind_ == FileKind::dicomStack || kind_ == FileKind::pictures) addPictureRows(*form);
-  if (kind_ != FileKind::dicomPictures && kind_ != FileKind::dicomVolume && kind_ != FileKind::dicomStack) {
+  if (kind_ == FileKind::dicomImages || kind_ == FileKind::dicomStack || kind_ == FileKind::images) addImageRows(*form);
+  if (kind_ != FileKind::dicomImages && kind_ != FileKind::dicomVolume && kind_ != FileKind::dicomStack) {
     spacing_ = {lengthBox("spacingX"), lengthBox("spacingY"), lengthBox("spacingZ")};
     form->addRow(kind_ == FileKind::kretz ? tr("Spacing to convert to") : tr("Spacing x, y, z"),
                  kind_ == FileKind::kretz ? inRow(std::array{spacing_[0]}) : inRow(spacing_));
@@ -121,7 +121,7 @@ void FileImportDialog::addRows() {
   setLook(import_, Look::primary);
   import_->setDefault(true);
   auto* cancel = new QPushButton(tr("Cancel"));
-  if (picture_ != nullptr && kind_ != FileKind::dicomStack) {
+  if (image_ != nullptr && kind_ != FileKind::dicomStack) {
     auto* screen = new QPushButton(tr("Clean as a recorded screen…"));
     screen->setObjectName(QStringLiteral("cleanScreen"));
     screen->setAutoDefault(false);
@@ -138,14 +138,14 @@ void FileImportDialog::addRows() {
   connect(import_, &QPushButton::clicked, this, &FileImportDialog::start);
 }
 
-void FileImportDialog::addPictureRows(QFormLayout& form) {
-  picture_ = new PictureChooser;
+void FileImportDialog::addImageRows(QFormLayout& form) {
+  image_ = new ImageChooser;
   auto* column = new QWidget;
   auto* below = new QVBoxLayout(column);
   below->setContentsMargins(0, 0, 0, 0);
   below->setSpacing(8);
-  below->addWidget(picture_, 1);
-  auto* hint = new QLabel(kind_ == FileKind::dicomPictures
+  below->addWidget(image_, 1);
+  auto* hint = new QLabel(kind_ == FileKind::dicomImages
                               ? tr("Click a numbered part to keep it alone. Drag a rectangle over what is to become black; a right click "
                                    "on it takes it away. Coloured pixels are orange.")
                               : tr("Drag a rectangle over what is to become black; a right click on it takes it away. Coloured pixels "
@@ -154,7 +154,7 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
   hint->setWordWrap(true);
   below->addWidget(hint);
   putBeside(column, {960, 560});
-  if (kind_ == FileKind::dicomPictures) {
+  if (kind_ == FileKind::dicomImages) {
     region_ = new QComboBox;
     region_->setObjectName(QStringLiteral("region"));
     region_->addItem(tr("not chosen"), -1);
@@ -173,9 +173,9 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
     connect(region_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
       const int region = region_->currentData().toInt();
       region_->setToolTip(region_->currentText());
-      picture_->setChosenPart(region > 0 ? std::optional(static_cast<std::size_t>(region) - 1) : std::nullopt);
+      image_->setChosenPart(region > 0 ? std::optional(static_cast<std::size_t>(region) - 1) : std::nullopt);
     });
-    connect(picture_, &PictureChooser::partClicked, this, [this](int part) { region_->setCurrentIndex(region_->findData(part + 1)); });
+    connect(image_, &ImageChooser::partClicked, this, [this](int part) { region_->setCurrentIndex(region_->findData(part + 1)); });
   }
   colour_ = new QComboBox;
   colour_->setObjectName(QStringLiteral("colour"));
@@ -189,9 +189,9 @@ void FileImportDialog::addPictureRows(QFormLayout& form) {
   form.addRow(tr("Coloured pixels"), colour_);
   form.addRow(tr("Make black"), blank_);
   connect(blank_, &QLineEdit::textChanged, this, &FileImportDialog::showBlanked);
-  connect(picture_, &PictureChooser::drawn, this, &FileImportDialog::blankMore);
-  connect(picture_, &PictureChooser::blankRemoved, this, &FileImportDialog::blankLess);
-  if (kind_ == FileKind::pictures) return;
+  connect(image_, &ImageChooser::drawn, this, &FileImportDialog::blankMore);
+  connect(image_, &ImageChooser::blankRemoved, this, &FileImportDialog::blankLess);
+  if (kind_ == FileKind::images) return;
   keepText_ = new QCheckBox(tr("Text burned into the images may stay"));
   form.addRow(QString(), keepText_);
 }
@@ -207,7 +207,7 @@ Result<std::vector<PixelRect>> FileImportDialog::blanked() const {
 }
 
 void FileImportDialog::showBlanked() {
-  if (const auto rects = blanked()) picture_->setBlanked(*rects);
+  if (const auto rects = blanked()) image_->setBlanked(*rects);
 }
 
 void FileImportDialog::blankMore(const PixelRect& rect) {
@@ -342,7 +342,7 @@ void FileImportDialog::look() {
 }
 
 void FileImportDialog::takeLook(const ImportPreview& preview) {
-  if (picture_ != nullptr && preview.picture.width > 0) picture_->setPicture(preview.picture, preview.coloured);
+  if (image_ != nullptr && preview.image.width > 0) image_->setImage(preview.image, preview.coloured);
   if (timeStep_ != nullptr && preview.volumes > 0) {
     const int volumes = static_cast<int>(std::min<std::uint64_t>(preview.volumes, 100000));
     timeStep_->setMaximum(volumes);
@@ -362,7 +362,7 @@ void FileImportDialog::takeLook(const ImportPreview& preview) {
     }
     region_->addItem(tr("the whole image, %1 x %2 pixels").arg(summary.columns).arg(summary.rows), 0);
     for (int n = 0; n < region_->count(); ++n) region_->setItemData(n, region_->itemText(n), Qt::ToolTipRole);
-    picture_->setParts(std::move(parts));
+    image_->setParts(std::move(parts));
   }
   QStringList lines;
   for (const Message& sentence : sentencesOf(summary.identifying)) lines << words(sentence);
@@ -398,10 +398,10 @@ Result<ImportAnswers> FileImportDialog::answers() const {
 
 void FileImportDialog::refuse(const QString& why) { say(why, true); }
 
-/// What a file became: a volume ready to be scanned, or pictures without a place.
+/// What a file became: a volume ready to be scanned, or images without a place.
 struct FileImportDialog::Made {
-  ImportedFile file;
-  ScanVoxels voxels;  ///< empty: the pictures are no volume
+  FileImportResult file;
+  ScanVoxels voxels;  ///< empty: the images are no volume
 };
 
 void FileImportDialog::start(bool acceptsSmall) {
@@ -465,7 +465,7 @@ void FileImportDialog::take(const std::shared_ptr<Made>& made) {
 }
 
 void FileImportDialog::saveSequence(const std::shared_ptr<Made>& made) {
-  // Pictures without a place are no volume: they are kept as a sequence, and how the probe moved is asked next.
+  // Images without a place are no volume: they are kept as a sequence, and how the probe moved is asked next.
   const QFileInfo info(file_);
   const QString target = askSaveFile(this, {tr("Save the images as a sequence"),
                                             info.path() + QLatin1Char('/') + info.completeBaseName() + QStringLiteral(".igs.mha"),
@@ -480,7 +480,7 @@ void FileImportDialog::saveSequence(const std::shared_ptr<Made>& made) {
       tr("Writing %1").arg(QFileInfo(target).fileName()),
       [made, file = pathOf(target)](Progress& progress) {
         return saveTogether(
-            {file}, [&](const OutputSet& outputs) { return writeSequence(made->file.pictures->sequence, outputs.staged(file), progress); });
+            {file}, [&](const OutputSet& outputs) { return writeSequence(made->file.images->sequence, outputs.staged(file), progress); });
       },
       [here = QPointer<FileImportDialog>(this), messages = QPointer<MessageBar>(&messages_), target](const Result<void>& outcome) {
         if (FileImportDialog* const dialog = here.data(); dialog != nullptr) {

@@ -19,7 +19,7 @@ class QPushButton;
 class QSpinBox;
 
 namespace ew {
-class PictureChooser;
+class ImageChooser;
 }
 
 namespace ew::ui {
@@ -27,9 +27,9 @@ namespace ew::ui {
 class Jobs;
 class MessageBar;
 
-/// Asks what a DICOM file, a Kretz volume, a folder of pictures or raw samples leave open, says what of the patient is left out, and
+/// Asks what a DICOM file, a Kretz volume, a folder of images or raw samples leave open, says what of the patient is left out, and
 /// imports. Nothing is filled in beforehand: layouts that fit a raw file are offered in a list, with its three middle slices as they would
-/// look. Of pictures the first is shown: parts are chosen by a click on it, and what is to be made black is drawn on it.
+/// look. Of images the first is shown: parts are chosen by a click on it, and what is to be made black is drawn on it.
 class FileImportDialog final : public FormDialog {
   Q_OBJECT
 
@@ -40,15 +40,15 @@ class FileImportDialog final : public FormDialog {
 
  Q_SIGNALS:
   void imported(const ew::ScanVoxels& voxels, const QString& title);
-  /// Pictures without a place were kept as a sequence: how the probe moved is the next question.
+  /// Images without a place were kept as a sequence: how the probe moved is the next question.
   void sequenceSaved(const QString& file);
-  /// The pictures are a recorded screen, which is cleaned first. The dialog has closed.
+  /// The images are a recorded screen, which is cleaned first. The dialog has closed.
   void screenChosen();
 
  private:
   void addRows();
   void addRawRows(QFormLayout& form);
-  void addPictureRows(QFormLayout& form);
+  void addImageRows(QFormLayout& form);
   void look();
   void takeLook(const ImportPreview& preview);
   void showBlanked();
@@ -87,7 +87,7 @@ class FileImportDialog final : public FormDialog {
   QCheckBox* bigEndian_ = nullptr;
   QSpinBox* offset_ = nullptr;
   std::array<QLabel*, 3> slices_{};
-  PictureChooser* picture_ = nullptr;
+  ImageChooser* image_ = nullptr;
   QLabel* removed_ = nullptr;
   QPushButton* import_ = nullptr;
 };

@@ -25,8 +25,8 @@
 #include "ew/core/numbers.h"
 #include "ew/library/file_import.h"
 #include "ew/widgets/figures.h"
+#include "ew/widgets/image_chooser.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/picture_chooser.h"
 #include "ew/widgets/small_result_question.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
@@ -40,13 +40,13 @@ namespace ew::ui {
 struct ImportDialog::Seen {
   std::optional<ImportPlan> plan;
   std::vector<std::string> frames;  ///< that can be reached from the image
-  GreyImage picture;                ///< the first frame, turned as clips count it
+  GreyImage image;                  ///< the first frame, turned as clips count it
 };
 
 /// The sweep as it was read, so that it is not read again for every change and once more to make the volume.
 struct ImportDialog::Frames {
   std::mutex guard;  ///< a reading that was cancelled may still be at work when the next one starts
-  std::optional<OpenedSweep> opened;
+  std::optional<SweepInput> opened;
 
   /// Plans the sweep with `chosen`, and reads it when it has not been read. Scan lines become images by their calibration, so they are
   /// read anew.
@@ -66,11 +66,11 @@ namespace {
 constexpr std::size_t kMostTracedFrames = 65534;
 
 /// All frames the sweep and its calibration can bring the image to, without the image itself.
-std::vector<std::string> framesOf(const Sequence& sequence, const std::vector<NamedTransform>& calibration) {
-  std::vector<NamedTransform> all = calibration;
+std::vector<std::string> framesOf(const Sequence& sequence, const std::vector<FrameTransform>& calibration) {
+  std::vector<FrameTransform> all = calibration;
   std::set<std::pair<std::string, std::string>> known;
   for (const SequenceFrame& frame : sequence.frames) {
-    for (const NamedTransform& one : frame.transforms) {
+    for (const FrameTransform& one : frame.transforms) {
       if (known.emplace(one.from, one.to).second) all.push_back({one.from, one.to, glm::dmat4(1.0), PoseStatus::ok});
     }
   }
@@ -155,7 +155,7 @@ void ImportDialog::addRows() {
   notes_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   rows().addWidget(notes_);
   rows().addStretch(1);
-  addPicture();
+  addImage();
 
   make_ = new QPushButton(tr("Reconstruct"));
   make_->setObjectName(QStringLiteral("makeVolume"));
@@ -316,19 +316,19 @@ void ImportDialog::addMethodRows(QFormLayout& form) {
   connect(keepSource_, &QCheckBox::toggled, this, &ImportDialog::showPlan);
 }
 
-void ImportDialog::addPicture() {
+void ImportDialog::addImage() {
   auto* column = new QWidget;
   auto* below = new QVBoxLayout(column);
   below->setContentsMargins(0, 0, 0, 0);
   below->setSpacing(8);
-  picture_ = new PictureChooser;
-  below->addWidget(picture_, 1);
+  image_ = new ImageChooser;
+  below->addWidget(image_, 1);
   auto* hint = new QLabel(tr("The first frame. Drag a rectangle over what is to be used of every frame."));
   setLook(hint, Look::quiet);
   hint->setWordWrap(true);
   below->addWidget(hint);
   putBeside(column, {960, 600});
-  connect(picture_, &PictureChooser::drawn, this, [this](const PixelRect& rect) {
+  connect(image_, &ImageChooser::drawn, this, [this](const PixelRect& rect) {
     clip_->setText(QStringLiteral("%1,%2,%3,%4").arg(rect.x).arg(rect.y).arg(rect.width).arg(rect.height));
   });
 }
@@ -415,7 +415,7 @@ void ImportDialog::readAgain() {
   *id = jobs_.start(
       tr("Reading %1").arg(QFileInfo(sweep_).fileName()),
       [found, kept = kept_, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
-        std::vector<NamedTransform> calibration;
+        std::vector<FrameTransform> calibration;
         if (!chosen.calibrations.empty()) {
           auto device = readDeviceSets(chosen.calibrations);
           if (!device) return passOn(device.error());
@@ -426,9 +426,9 @@ void ImportDialog::readAgain() {
         const Sequence& sequence = kept->opened->sequence;
         found->frames = framesOf(sequence, calibration);
         const auto first = sequence.framePixels(0);
-        found->picture.width = sequence.width;
-        found->picture.height = sequence.height;
-        found->picture.pixels.assign(first.begin(), first.end());
+        found->image.width = sequence.width;
+        found->image.height = sequence.height;
+        found->image.pixels.assign(first.begin(), first.end());
         found->plan = kept->opened->plan;
         return {};
       },
@@ -464,12 +464,12 @@ void ImportDialog::take(const std::shared_ptr<Seen>& found, const Result<void>& 
     compounding_->setCurrentIndex(compounding_->findData(static_cast<int>(planned.compounding)));
   }
   offerFrames(found->frames, tr("default (%1)").arg(words(found->plan->toFrame)));
-  picture_->setPicture(found->picture, {});
+  image_->setImage(found->image, {});
   const Clip& clip = found->plan->reconstruct.clip;
-  const glm::dvec2 size_px = clip.size_px.value_or(glm::dvec2(found->picture.width, found->picture.height));
-  picture_->setParts(
+  const glm::dvec2 size_px = clip.size_px.value_or(glm::dvec2(found->image.width, found->image.height));
+  image_->setParts(
       {{static_cast<int>(clip.origin_px.x), static_cast<int>(clip.origin_px.y), static_cast<int>(size_px.x), static_cast<int>(size_px.y)}});
-  picture_->setChosenPart(0);
+  image_->setChosenPart(0);
   showPlan();
 }
 
@@ -549,7 +549,7 @@ void ImportDialog::start(bool acceptsSmall) {
       tr("Making a volume from %1").arg(title),
       [made, kept = kept_, sweep = pathOf(sweep_), chosen = *asked](Progress& progress) -> Result<void> {
         PartOfProgress planning(progress, 0.0, 0.1), most(progress, 0.1, 0.95), rest(progress, 0.95, 1.0);
-        std::optional<OpenedSweep> opened;
+        std::optional<SweepInput> opened;
         {
           const std::lock_guard alone(kept->guard);
           if (auto planned = kept->plan(sweep, chosen, planning); !planned) return planned;

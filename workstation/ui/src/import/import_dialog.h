@@ -17,7 +17,7 @@ class QLineEdit;
 class QPushButton;
 
 namespace ew {
-class PictureChooser;
+class ImageChooser;
 }
 
 namespace ew::ui {
@@ -45,7 +45,7 @@ class ImportDialog final : public FormDialog {
   void addRows();
   void addPoseRows(QFormLayout& form);
   void addMethodRows(QFormLayout& form);
-  void addPicture();
+  void addImage();
   [[nodiscard]] QWidget* posesRow();
   void showMotorRows();
   void readAgain();
@@ -89,7 +89,7 @@ class ImportDialog final : public FormDialog {
   QLabel* size_ = nullptr;
   QLabel* memory_ = nullptr;
   QLabel* notes_ = nullptr;
-  PictureChooser* picture_ = nullptr;
+  ImageChooser* image_ = nullptr;
   QPushButton* make_ = nullptr;
 };
 

@@ -92,7 +92,7 @@ class Opener final : public QObject {
   void refined();                          ///< the open case is scanned as it asks for
   void sweepChosen(const QString& path);   ///< a sweep needs answers before it becomes a volume
   void bundleChosen(const QString& path);  ///< a case of another workstation, which goes into the library before it is opened
-  /// A file of another kind leaves something open, or holds pictures that are no volume.
+  /// A file of another kind leaves something open, or holds images that are no volume.
   void answersNeeded(const QString& path, ew::FileKind kind, const QString& question);
   /// A file is a recorded scan. Nothing was replaced.
   void recordingOpened(const QString& path, std::shared_ptr<const ew::ScanRecording> recording);

@@ -25,13 +25,13 @@
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
 #include "ew/widgets/look.h"
-#include "ew/widgets/picture_image.h"
+#include "ew/widgets/qt_image.h"
 #include "ew/widgets/question.h"
 #include "ew/widgets/save_file.h"
 #include "ew/widgets/small_result_question.h"
 #include "ew/widgets/words.h"
+#include "import/film_reader.h"
 #include "import/import_fields.h"
-#include "import/opened_film.h"
 #include "import/screen_distances.h"
 #include "import/screen_view.h"
 #include "import/screen_words.h"
@@ -156,15 +156,15 @@ void ScreenDialog::addTurnRows(QFormLayout& form) {
   turn_->setObjectName(QStringLiteral("screenTurn"));
   for (int quarters = 0; quarters < 4; ++quarters)
     turn_->addItem(quarters == 0 ? tr("not turned") : tr("%1° clockwise").arg(90 * quarters), quarters);
-  turn_->setToolTip(tr("Turns the pictures so that the probe's face lies on top; the recording is looked through anew"));
+  turn_->setToolTip(tr("Turns the images so that the probe's face lies on top; the recording is looked through anew"));
   mirror_ = new QCheckBox(tr("Mirrored"));
   mirror_->setObjectName(QStringLiteral("screenMirror"));
-  mirror_->setToolTip(tr("Changes left and right of the pictures; the recording is looked through anew"));
+  mirror_->setToolTip(tr("Changes left and right of the images; the recording is looked through anew"));
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(turn_, 1);
   row->addWidget(mirror_);
-  form.addRow(tr("Pictures"), row);
+  form.addRow(tr("Images"), row);
   connect(turn_, qOverload<int>(&QComboBox::activated), this, &ScreenDialog::turn);
   connect(mirror_, &QCheckBox::toggled, this, &ScreenDialog::turn);
 }
@@ -272,13 +272,13 @@ void ScreenDialog::showTurned(const Orientation& turned) {
 
 void ScreenDialog::look(const std::optional<FanOutline>& outline) {
   setPlaying(false);
-  auto found = std::make_shared<std::shared_ptr<OpenedFilm>>();
+  auto found = std::make_shared<std::shared_ptr<FilmReader>>();
   job_ = jobs_.start(
       tr("Reading %1").arg(QFileInfo(file_).fileName()),
       [found, outline, turned = turned_, file = pathOf(file_)](Progress& progress) -> Result<void> {
         auto opened = openScreen(file, outline, progress, {}, kScreenFrames, turned);
         if (!opened) return passOn(opened.error());
-        *found = std::make_shared<OpenedFilm>(*std::move(opened));
+        *found = std::make_shared<FilmReader>(*std::move(opened));
         return {};
       },
       [here = QPointer<ScreenDialog>(this), found](const Result<void>& outcome) {
@@ -295,7 +295,7 @@ void ScreenDialog::look(const std::optional<FanOutline>& outline) {
       false);
 }
 
-void ScreenDialog::take(const std::shared_ptr<OpenedFilm>& opened) {
+void ScreenDialog::take(const std::shared_ptr<FilmReader>& opened) {
   opened_ = opened;
   view_->setEdit(nullptr);
   if (edit_)
@@ -307,8 +307,8 @@ void ScreenDialog::take(const std::shared_ptr<OpenedFilm>& opened) {
     drawings_.clear();
     shownFrame_ = -1;
   }
-  const FoundScreen& found = edit_->found();
-  if (shownFrame_ < 0) view_->setPicture(imageOf(viewOf(opened->screen.picture)).copy(), {0, 0}, {found.width_px, found.height_px});
+  const ScreenAnalysis& found = edit_->found();
+  if (shownFrame_ < 0) view_->setImage(imageOf(viewOf(opened->screen.image)).copy(), {0, 0}, {found.width_px, found.height_px});
   view_->setEdit(&*edit_);
   const QSignalBlocker quiet(frames_);
   frames_->setRange(0, static_cast<int>(opened->screen.times_s.size()) - 1);
@@ -378,7 +378,7 @@ void ScreenDialog::showNotes(const Result<ScreenGeometry>& geometry) {
   add(edit_->found().notes);
   if (opened_->screen.brokenOff) lines << words(opened_->screen.brokenOff->message);
   if (geometry) add(geometry->notes);
-  if (tookBack_) lines << tr("What was corrected of outline and boxes was taken back: the pictures lie differently now.");
+  if (tookBack_) lines << tr("What was corrected of outline and boxes was taken back: the images lie differently now.");
   notes_->setText(lines.join(QLatin1Char('\n')));
   notes_->setVisible(!lines.isEmpty());
 }
@@ -416,7 +416,7 @@ void ScreenDialog::fetch() {
 void ScreenDialog::takeFrame(const FilmFrame& shown) {
   shownFrame_ = shown.frame;
   shownChanges_ = shown.changes;
-  view_->setPicture(shown.picture, shown.at, {edit_->found().width_px, edit_->found().height_px});
+  view_->setImage(shown.image, shown.at, {edit_->found().width_px, edit_->found().height_px});
   const auto& times_s = opened_->screen.times_s;
   time_->setText(tr("%1 of %2   %3 s")
                      .arg(shownFrame_ + 1)
@@ -546,7 +546,7 @@ bool ScreenDialog::import() {
                          {},
                          {pathOf(file_)}});
   if (target.isEmpty()) return false;
-  auto cleaned = std::make_shared<CleanedScreen>();
+  auto cleaned = std::make_shared<ScreenCleaning>();
   writing_ = edit_->correction();
   // Once it runs it ends whether the dialog is there or not: it takes all it needs along.
   job_ = jobs_.start(

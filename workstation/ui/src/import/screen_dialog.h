@@ -27,7 +27,7 @@ namespace ew::ui {
 struct FilmFrame;
 class Jobs;
 class MessageBar;
-struct OpenedFilm;
+struct FilmReader;
 class ScreenView;
 
 /// A film or recorded screen before it comes in: reads it, shows what was found of the scan in it (outline, depth scale, text), lets a
@@ -64,7 +64,7 @@ class ScreenDialog final : public FormDialog {
   void look(const std::optional<FanOutline>& outline);
   void turn();  ///< as the fields say
   void showTurned(const Orientation& turned);
-  void take(const std::shared_ptr<OpenedFilm>& opened);
+  void take(const std::shared_ptr<FilmReader>& opened);
   void showProgress();
   void setBusy(bool busy);
   void follow();  ///< what the edit has become
@@ -84,10 +84,10 @@ class ScreenDialog final : public FormDialog {
   QString file_;
   Jobs& jobs_;
   MessageBar& messages_;
-  std::shared_ptr<OpenedFilm> opened_;
+  std::shared_ptr<FilmReader> opened_;
   std::optional<ScreenEdit> edit_;
   Orientation turned_;                       ///< of what is or will be looked at
-  bool tookBack_ = false;                    ///< corrections, because the pictures were turned
+  bool tookBack_ = false;                    ///< corrections, because the images were turned
   int job_ = 0;                              ///< that reads and finds, or writes; 0: none
   int frameJob_ = 0;                         ///< that reads the frame to show
   std::optional<ScreenCorrection> writing_;  ///< that the recording is being written with; empty: none is

@@ -31,8 +31,8 @@ ScreenView::ScreenView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("A frame of the recording, with the outline of the scan and boxes of text"));
 }
 
-void ScreenView::setPicture(const QImage& picture, const QPoint& at, const QSize& screen_px) {
-  picture_ = picture;
+void ScreenView::setImage(const QImage& image, const QPoint& at, const QSize& screen_px) {
+  image_ = image;
   at_ = at;
   if (std::exchange(screen_px_, screen_px) != screen_px) makeRoom();
   update();
@@ -82,7 +82,7 @@ void ScreenView::makeRoom() {
   room_px_ = screen;
   if (edit_ == nullptr || !edit_->outline()) return;
   QRectF grips;
-  for (const PlacedGrip& grip : gripsOf(*edit_->outline()))
+  for (const GripPosition& grip : gripsOf(*edit_->outline()))
     grips |= QRectF(grip.at_px.x - kAroundGrip_px, grip.at_px.y - kAroundGrip_px, 2.0 * kAroundGrip_px, 2.0 * kAroundGrip_px);
   // The scan stays large: what lies far out is reached by keys.
   const double across = 0.5 * screen.width(), down = 0.5 * screen.height();
@@ -108,7 +108,7 @@ std::optional<OutlineGrip> ScreenView::gripAt(const QPointF& at) const {
   if (!corrects() || !edit_->outline()) return std::nullopt;
   std::optional<OutlineGrip> nearest;
   double least = kReach_px;
-  for (const PlacedGrip& grip : gripsOf(*edit_->outline())) {
+  for (const GripPosition& grip : gripsOf(*edit_->outline())) {
     const QPointF d = placeOf(grip.at_px) - at;
     if (const double away = std::hypot(d.x(), d.y()); away < least) {
       least = away;
@@ -124,7 +124,7 @@ void ScreenView::showCursor(const QPointF& at) {
 }
 
 void ScreenView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || picture_.isNull()) return;
+  if (event->button() != Qt::LeftButton || image_.isNull()) return;
   const QPointF at = event->localPos();
   if (measuring_) {
     if (drawing_ == nullptr) return;
@@ -133,7 +133,7 @@ void ScreenView::mousePressEvent(QMouseEvent* event) {
     Q_EMIT measured();
   } else if (const auto grip = gripAt(at)) {
     held_ = chosen_ = grip;
-    for (const PlacedGrip& each : gripsOf(*edit_->outline()))
+    for (const GripPosition& each : gripsOf(*edit_->outline()))
       if (each.grip == *grip) grabbed_ = placeOf(each.at_px) - at;
   } else if (corrects()) {
     from_ = to_ = at;
@@ -181,7 +181,7 @@ void ScreenView::mouseReleaseEvent(QMouseEvent* event) {
 
 void ScreenView::moveGripBy(glm::dvec2 by_px) {
   if (!corrects() || !chosen_ || !edit_->outline()) return;
-  for (const PlacedGrip& each : gripsOf(*edit_->outline())) {
+  for (const GripPosition& each : gripsOf(*edit_->outline())) {
     if (each.grip != *chosen_) continue;
     edit_->setOutline(withGripAt(*edit_->outline(), *chosen_, each.at_px + by_px));
     makeRoom();
@@ -263,7 +263,7 @@ void ScreenView::paintMarks(QPainter& painter) {
     painter.drawRect(rectOf(between(*from_, *to_)));
   }
   if (measuring_ || !edit_->outline()) return;
-  for (const PlacedGrip& grip : gripsOf(*edit_->outline())) {
+  for (const GripPosition& grip : gripsOf(*edit_->outline())) {
     const bool isChosen = chosen_ == grip.grip;
     painter.setPen(QPen(Qt::black, 1.5));
     painter.setBrush(isChosen ? theme.text : theme.accent);
@@ -279,14 +279,14 @@ void ScreenView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
   const Theme theme = scanTheme();
-  if (picture_.isNull()) {
+  if (image_.isNull()) {
     painter.setPen(theme.quiet);
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, tr("No frame can be shown yet."));
     return;
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.drawImage(QRectF(origin() + scale() * QPointF(at_), scale() * QSizeF(picture_.size())), picture_);
+  painter.drawImage(QRectF(origin() + scale() * QPointF(at_), scale() * QSizeF(image_.size())), image_);
   if (edit_ != nullptr && marksShown_) paintMarks(painter);
   const std::function<QPointF(const glm::dvec2&)> pixelOf = [this](const glm::dvec2& p) { return placeOf(p); };
   for (const Label& label : labels_) paintCaliper(painter, label.line, label.text, pixelOf, label.isChosen ? theme.accent : theme.text);

@@ -22,11 +22,11 @@ class ScreenView final : public QWidget {
  public:
   explicit ScreenView(QWidget* parent = nullptr);
 
-  /// @param screen_px size of the recording's pictures @param at where `picture` lies in them
-  void setPicture(const QImage& picture, const QPoint& at, const QSize& screen_px);
+  /// @param screen_px size of the recording's images @param at where `image` lies in them
+  void setImage(const QImage& image, const QPoint& at, const QSize& screen_px);
   /// What is corrected; as long as it lives, or null.
   void setEdit(ScreenEdit* edit);
-  void setMarksShown(bool shown);  ///< outline and boxes: the cleaned picture goes without
+  void setMarksShown(bool shown);  ///< outline and boxes: the cleaned image goes without
   /// Distances of the frame that is shown, in pixels of the recording; null: none are.
   void setDrawing(measurement::CaliperDrawing* drawing);
   void setMeasuring(bool measuring);
@@ -63,7 +63,7 @@ class ScreenView final : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  [[nodiscard]] QPointF origin() const;  ///< of the recording's pictures, in the widget
+  [[nodiscard]] QPointF origin() const;  ///< of the recording's images, in the widget
   void makeRoom();
   [[nodiscard]] bool corrects() const { return edit_ != nullptr && marksShown_ && !measuring_; }
   [[nodiscard]] std::optional<OutlineGrip> gripAt(const QPointF& at) const;
@@ -72,10 +72,10 @@ class ScreenView final : public QWidget {
   void paintMarks(QPainter& painter);
   void showCursor(const QPointF& at);
 
-  QImage picture_;
+  QImage image_;
   QPoint at_;
   QSize screen_px_;
-  QRectF room_px_;  ///< what is in sight, in pixels of the recording: the apex often lies above the pictures
+  QRectF room_px_;  ///< what is in sight, in pixels of the recording: the apex often lies above the images
   ScreenEdit* edit_ = nullptr;
   measurement::CaliperDrawing* drawing_ = nullptr;
   std::vector<Label> labels_;

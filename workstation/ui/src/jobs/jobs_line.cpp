@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ew/widgets/elided_label.h"
+#include "ew/widgets/ellipsis_label.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
 #include "ew/widgets/look.h"
@@ -61,7 +61,7 @@ JobsLine::JobsLine(Jobs& jobs, QWidget* parent) : QWidget(parent), jobs_(jobs) {
   rows->setSpacing(0);
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
-  title_ = new ElidedLabel;
+  title_ = new EllipsisLabel;
   title_->setObjectName(QStringLiteral("jobTitle"));
   title_->setTextFormat(Qt::PlainText);
   title_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

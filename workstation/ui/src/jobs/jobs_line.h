@@ -13,7 +13,7 @@ class QProgressBar;
 class QPushButton;
 
 namespace ew {
-class ElidedLabel;
+class EllipsisLabel;
 class FigureLabel;
 }  // namespace ew
 
@@ -40,7 +40,7 @@ class JobsLine final : public QWidget {
   std::vector<Jobs::Seen> seen_;  ///< that are shown, the one in front first
   int shown_ = 0;                 ///< id of the one in front
   int pressed_ = 0;               ///< of the one that stood in front when the button was pressed
-  ElidedLabel* title_ = nullptr;
+  EllipsisLabel* title_ = nullptr;
   FigureLabel* percent_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QPushButton* more_ = nullptr;

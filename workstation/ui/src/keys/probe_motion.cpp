@@ -54,11 +54,11 @@ void paintArc(QPainter& painter, const QPointF& centre, double radius_px, double
 
 }  // namespace
 
-ProbeMotionPicture::ProbeMotionPicture(ProbeMotion motion, QWidget* parent) : QWidget(parent), motion_(motion) {
+ProbeMotionDrawing::ProbeMotionDrawing(ProbeMotion motion, QWidget* parent) : QWidget(parent), motion_(motion) {
   setFixedSize(kWidth_px, kHeight_px);
 }
 
-void ProbeMotionPicture::paintEvent(QPaintEvent*) {
+void ProbeMotionDrawing::paintEvent(QPaintEvent*) {
   const Theme& theme = currentTheme();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);

@@ -8,12 +8,12 @@ namespace ew::ui {
 enum class ProbeMotion { none, slide, rock, tilt, rotate };
 
 /// A small drawing of one of them: the probe as it stands, and where it goes. Seen from its broad side where it slides and rocks (along the
-/// picture's plane), from its narrow side where it tilts (out of it), from above where it rotates.
-class ProbeMotionPicture final : public QWidget {
+/// image's plane), from its narrow side where it tilts (out of it), from above where it rotates.
+class ProbeMotionDrawing final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ProbeMotionPicture(ProbeMotion motion, QWidget* parent = nullptr);
+  explicit ProbeMotionDrawing(ProbeMotion motion, QWidget* parent = nullptr);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -35,7 +35,7 @@ QGridLayout* linesOf(const ShortcutsOverlay::Group& group) {
     auto* what = new QLabel(line.what);
     setLook(what, Look::quiet);
     grid->addWidget(what, row, 1);
-    if (line.motion != ProbeMotion::none) grid->addWidget(new ProbeMotionPicture(line.motion), row, 2, Qt::AlignRight);
+    if (line.motion != ProbeMotion::none) grid->addWidget(new ProbeMotionDrawing(line.motion), row, 2, Qt::AlignRight);
   }
   grid->setColumnStretch(1, 1);
   return grid;

@@ -108,7 +108,7 @@ void CombineDialog::showInputs() {
   for (const Finding& finding : findings.all())
     for (const CaliperFigure& each : finding.measured.figures) {
       if (!isOffered(kind(), finding, each)) continue;
-      offered_.push_back({finding.picture, finding.measurement.number, each.kind});
+      offered_.push_back({finding.image, finding.measurement.number, each.kind});
       texts << FindingWords::textOf(findings, finding, each);
     }
   const std::size_t count = measurement::inputCount(kind());

@@ -13,8 +13,8 @@ namespace ew::ui {
 
 class Calipers;
 
-/// Results over several measurements, of one picture or of several: which, of what, and what they give now. Stays open beside the scan
-/// while further pictures are measured.
+/// Results over several measurements, of one image or of several: which, of what, and what they give now. Stays open beside the scan
+/// while further images are measured.
 class CombineDialog final : public QDialog {
   Q_OBJECT
 

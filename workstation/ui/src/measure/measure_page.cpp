@@ -37,9 +37,9 @@ constexpr int kConsoleEdges_px = 40;  // of the console, beside it
 
 }  // namespace
 
-class MeasuredLine final : public QPushButton {
+class MeasurementLine final : public QPushButton {
  public:
-  explicit MeasuredLine(QWidget* parent) : QPushButton(parent) {
+  explicit MeasurementLine(QWidget* parent) : QPushButton(parent) {
     setObjectName(QStringLiteral("measuredLine"));
     setCheckable(true);
     setLook(this, Look::listed);
@@ -97,7 +97,7 @@ class MeasuredLine final : public QPushButton {
     setMinimumHeight(layout()->sizeHint().height());
   }
   int number = 0;
-  Where where = Where::picture;
+  Where where = Where::image;
 
  private:
   QLabel* number_ = nullptr;
@@ -211,28 +211,28 @@ void MeasurePage::refreshIcons() {
 }
 
 /// What is held stands on the accent.
-void MeasurePage::setPictures(const QString& own, const std::vector<OfPicture>& others) {
-  own_->setText(own.isEmpty() ? QString() : tr("Picture %1").arg(own));
+void MeasurePage::setImages(const QString& own, const std::vector<OfImage>& others) {
+  own_->setText(own.isEmpty() ? QString() : tr("Image %1").arg(own));
   own_->setVisible(!own.isEmpty());
   for (QWidget* each : others_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
     each->hide();
     each->deleteLater();  // its click may be what is handled now
   }
   bool isAny = false;
-  for (const OfPicture& picture : others) {
-    if (picture.lines.empty()) continue;
+  for (const OfImage& image : others) {
+    if (image.lines.empty()) continue;
     isAny = true;
-    auto* name = new QLabel(tr("Picture %1").arg(picture.name));
+    auto* name = new QLabel(tr("Image %1").arg(image.name));
     name->setObjectName(QStringLiteral("measuredPicture"));
     setLook(name, Look::quiet);
     others_->layout()->addWidget(name);
-    for (const Calipers::Line& each : picture.lines) {
-      auto* line = new MeasuredLine(others_);
+    for (const Calipers::Line& each : image.lines) {
+      auto* line = new MeasurementLine(others_);
       line->show(each, false);
       line->setObjectName(QStringLiteral("measuredElsewhere"));
-      line->setToolTip(tr("Measured on another picture; a click takes that one in hand"));
-      line->setAccessibleName(tr("Picture %1: %2").arg(picture.name, line->accessibleName()));
-      connect(line, &QPushButton::clicked, this, [this, place = picture.place] { Q_EMIT pictureAsked(place); });
+      line->setToolTip(tr("Measured on another image; a click takes that one in hand"));
+      line->setAccessibleName(tr("Image %1: %2").arg(image.name, line->accessibleName()));
+      connect(line, &QPushButton::clicked, this, [this, place = image.place] { Q_EMIT imageAsked(place); });
       others_->layout()->addWidget(line);
     }
   }
@@ -250,7 +250,7 @@ void MeasurePage::showAll() {
     lines_.pop_back();
   }
   while (lines_.size() < lines.size()) {
-    auto* line = new MeasuredLine(this);
+    auto* line = new MeasurementLine(this);
     connect(line, &QPushButton::clicked, this, [this, line] { calipers_.choose(line->where, line->number); });
     list_->addWidget(line);
     lines_.push_back(line);

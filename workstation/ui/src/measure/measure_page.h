@@ -14,7 +14,7 @@ namespace ew::ui {
 
 class CaliperToolRow;
 /// A line of the list: number, what it is and its main result, and below it the others. A click chooses it.
-class MeasuredLine;
+class MeasurementLine;
 class Session;
 class StripTools;
 class Worksheets;
@@ -28,20 +28,20 @@ class MeasurePage final : public QWidget {
   ~MeasurePage() override;
   void refreshIcons();
 
-  /// What was measured on a picture that stands beside the one in hand.
-  struct OfPicture {
+  /// What was measured on an image that stands beside the one in hand.
+  struct OfImage {
     int place = 0;
     QString name;
     std::vector<Calipers::Line> lines;
   };
-  /// @param own name of the picture in hand; empty: the only one
-  void setPictures(const QString& own, const std::vector<OfPicture>& others);
+  /// @param own name of the image in hand; empty: the only one
+  void setImages(const QString& own, const std::vector<OfImage>& others);
 
  Q_SIGNALS:
   void worksheetAsked();
   void combineAsked();
   void saveAsked();
-  void pictureAsked(int place);  ///< to be taken in hand
+  void imageAsked(int place);  ///< to be taken in hand
 
  private:
   void addTools(Session& session, QVBoxLayout* rows);
@@ -55,9 +55,9 @@ class MeasurePage final : public QWidget {
   QCheckBox* snaps_ = nullptr;
   QLabel* empty_ = nullptr;
   QVBoxLayout* list_ = nullptr;
-  std::vector<MeasuredLine*> lines_;
+  std::vector<MeasurementLine*> lines_;
   QLabel* own_ = nullptr;
-  QWidget* others_ = nullptr;  ///< of the pictures beside
+  QWidget* others_ = nullptr;  ///< of the images beside
   QLabel* explanation_ = nullptr;
   QWidget* edits_ = nullptr;
   QPushButton *undo_ = nullptr, *redo_ = nullptr, *remove_ = nullptr, *clear_ = nullptr;

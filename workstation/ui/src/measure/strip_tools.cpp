@@ -38,7 +38,7 @@ StripTools::StripTools(Session& session, Calipers& calipers, QWidget* parent) : 
   rows->addWidget(beatsRow_);
   connect(beats_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int value) { calipers_.setBeats(value); });
   connect(&calipers_, &Calipers::changed, this, &StripTools::showAll);
-  connect(&session_, &Session::pictureChanged, this, [this] {
+  connect(&session_, &Session::imageChanged, this, [this] {
     if (isHidden() == calipers_.hasStrip()) showAll();
   });
   showAll();

@@ -12,7 +12,7 @@
 namespace ew::ui {
 
 HostScan::HostScan(Session& session, QObject* parent) : QObject(parent), session_(session) {
-  connect(&session_, &Session::pictureChanged, this, &HostScan::tellPicture);
+  connect(&session_, &Session::imageChanged, this, &HostScan::tellImage);
   connect(&session_.probeControl(), &ProbeControl::poseMissed, this, &HostScan::tellMissed);
   connect(&session_, &Session::frozenChanged, this, [this](bool frozen) { tell({session_.frames().now_s(), FreezeChanged{frozen}}); });
   connect(&session_, &Session::subjectReplaced, this, [this] {
@@ -22,10 +22,10 @@ HostScan::HostScan(Session& session, QObject* parent) : QObject(parent), session
 }
 
 std::optional<ScanState> HostScan::state() const {
-  if (!session_.subject() || session_.picture().isEmpty()) return std::nullopt;
+  if (!session_.subject() || session_.image().isEmpty()) return std::nullopt;
   return session_.probeControl().isLost() ? session_.probeControl().missedState() : session_.shownState();
 }
-Picture HostScan::picture() const { return session_.fanPicture(); }
+DisplayImage HostScan::image() const { return session_.fanImage(); }
 DisplayGeometry HostScan::geometry() const { return session_.fanGeometry(); }
 Knobs HostScan::knobs() const { return session_.console().knobs(); }
 double HostScan::now_s() const { return session_.frames().now_s(); }
@@ -43,7 +43,7 @@ void HostScan::tell(const ScanEvent& event) {
     if (const auto callback = weak.lock()) (*callback)(event);
 }
 
-void HostScan::tellPicture() {
+void HostScan::tellImage() {
   const auto made = state();
   // A frozen image that is drawn again for a window of another size is no new one.
   if (!made || session_.isFrozen() || session_.probeControl().isLost()) return;
@@ -54,7 +54,7 @@ void HostScan::tellPicture() {
   tell({made->time_s, FrameMade{made->pose, made->gaps_mm, made->number, made->body}});
 }
 
-/// No picture of now, for want of a pose: told as the frame it would have been, so that nobody takes the picture before for one of now.
+/// No image of now, for want of a pose: told as the frame it would have been, so that nobody takes the image before for one of now.
 void HostScan::tellMissed() {
   if (!told_) return;
   const ScanState& missed = session_.probeControl().missedState();
@@ -175,7 +175,7 @@ std::vector<sdk::ScanMeasurement> HostScan::measurements() const {
   std::vector<sdk::ScanMeasurement> found;
   if (calipers_ == nullptr) return found;
   for (const Calipers::Line& line : calipers_->lines()) {
-    if (line.where != Where::picture || line.measured.figures.empty()) continue;
+    if (line.where != Where::image || line.measured.figures.empty()) continue;
     sdk::ScanMeasurement one;
     one.number = line.measurement.number;
     one.kind = measurement::wordOf(line.measurement.caliper.kind);

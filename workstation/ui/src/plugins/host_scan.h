@@ -24,7 +24,7 @@ class HostScan final : public QObject, public sdk::Scan {
   explicit HostScan(Session& session, QObject* parent = nullptr);
 
   [[nodiscard]] std::optional<ScanState> state() const override;
-  [[nodiscard]] Picture picture() const override;
+  [[nodiscard]] DisplayImage image() const override;
   [[nodiscard]] DisplayGeometry geometry() const override;
   [[nodiscard]] Knobs knobs() const override;
   [[nodiscard]] double now_s() const override;
@@ -66,7 +66,7 @@ class HostScan final : public QObject, public sdk::Scan {
   void tellStroke(const QPoint& pixel, sdk::StrokeRequest::At sdk::StrokeRequest::*told) const;
   void followLatest();
   void askLatest();
-  void tellPicture();
+  void tellImage();
   void tellMissed();
   void tell(const ScanEvent& event);
   [[nodiscard]] Result<void> mayChange() const;

@@ -48,13 +48,13 @@ constexpr const char* kPanelId = "panelId";  ///< property of a panel's column a
 /// A tab that makes its content when it is first seen. What the plugin throws is stopped and told by the door; here it is an empty result.
 class LazyPanel final : public QScrollArea {
  public:
-  explicit LazyPanel(sdk::StagedPanel panel) : panel_(std::move(panel)) {
+  explicit LazyPanel(sdk::StagePanel panel) : panel_(std::move(panel)) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setProperty(kPanelId, words(panel_.id));
   }
 
-  [[nodiscard]] const sdk::StagedPanel& panel() const { return panel_; }
+  [[nodiscard]] const sdk::StagePanel& panel() const { return panel_; }
   [[nodiscard]] bool hasStage() const { return stage_ || panel_.makeStage; }
   /// Made when first asked for, after the column.
   [[nodiscard]] QWidget* stage(QWidget* parent) {
@@ -89,7 +89,7 @@ class LazyPanel final : public QScrollArea {
     content->setAutoFillBackground(false);
   }
   /// @return null when the plugin made none; then nothing is left of what it had begun
-  [[nodiscard]] static QWidget* make(const sdk::StagedPanel::Make& how, QWidget* parent) {
+  [[nodiscard]] static QWidget* make(const sdk::StagePanel::Make& how, QWidget* parent) {
     const QObjectList before = parent->children();
     QWidget* made = how(parent);
     if (made != nullptr) return made;
@@ -98,13 +98,13 @@ class LazyPanel final : public QScrollArea {
     return nullptr;
   }
 
-  sdk::StagedPanel panel_;
+  sdk::StagePanel panel_;
   QPointer<QWidget> stage_;
 };
 
 /// Callbacks that live as long as somebody holds their ticket.
 template <class... What>
-class TicketedCalls {
+class CallRegistry {
  public:
   using Call = std::function<void(What...)>;
   [[nodiscard]] sdk::Ticket add(Call call) {
@@ -133,10 +133,10 @@ class HostVolumes final : public door::FileVolumes {
   void showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>& madeFrom) override {
     Q_EMIT host_.volumeShown(std::make_shared<const Volume>(std::move(volume)), words(title), madeFrom);
   }
-  [[nodiscard]] std::optional<sdk::ShownVolume> shown() const override { return shownNow ? shownNow() : std::nullopt; }
+  [[nodiscard]] std::optional<sdk::DisplayVolume> shown() const override { return shownNow ? shownNow() : std::nullopt; }
   void wasKept(const std::shared_ptr<const Volume>& volume) override { Q_EMIT host_.volumeKept(volume); }
 
-  std::function<std::optional<sdk::ShownVolume>()> shownNow;
+  std::function<std::optional<sdk::DisplayVolume>()> shownNow;
 
  private:
   WorkstationHost& host_;
@@ -189,7 +189,7 @@ class HostCases final : public sdk::Cases {
  private:
   CaseDocument& document_;
   const door::PartSchemas& parts_;
-  TicketedCalls<> callbacks_;
+  CallRegistry<> callbacks_;
 };
 
 class HostCaseParts final : public sdk::CaseParts {
@@ -255,8 +255,8 @@ class HostCaseParts final : public sdk::CaseParts {
   CaseDocument& document_;
   door::PartSchemas& schemas_;
   QObject here_;  ///< what is told later is told only while this is there
-  TicketedCalls<std::filesystem::path> callbacks_;
-  std::map<std::string, TicketedCalls<std::string>> asked_;
+  CallRegistry<std::filesystem::path> callbacks_;
+  std::map<std::string, CallRegistry<std::string>> asked_;
   std::optional<Asked> waiting_;  ///< until its case is open
   std::optional<Asked> unheard_;  ///< of the open case, until somebody listens
 };
@@ -280,7 +280,7 @@ class HostJobs final : public sdk::Jobs {
 class HostPanels final : public sdk::Panels {
  public:
   HostPanels(WorkstationHost& host, WorkspacePanels& columns) : host_(host), columns_(columns) {}
-  void addStaged(sdk::StagedPanel asked) override {
+  void addStaged(sdk::StagePanel asked) override {
     const QString id = words(asked.id);
     const QString title = words(asked.title);
     QTabWidget& tabs = columns_.of(asked.workspace);
@@ -307,8 +307,8 @@ class HostPanels final : public sdk::Panels {
     const QTabWidget* tabs = columns_.inFront();
     return tabs != nullptr ? dynamic_cast<LazyPanel*>(tabs->currentWidget()) : nullptr;
   }
-  [[nodiscard]] std::vector<const sdk::StagedPanel*> all() const {
-    std::vector<const sdk::StagedPanel*> found;
+  [[nodiscard]] std::vector<const sdk::StagePanel*> all() const {
+    std::vector<const sdk::StagePanel*> found;
     for (const auto& [workspace, tabs] : columns_.all())
       for (int i = 0; i < tabs->count(); ++i)
         if (const auto* panel = dynamic_cast<const LazyPanel*>(tabs->widget(i))) found.push_back(&panel->panel());
@@ -377,7 +377,7 @@ class HostWindow final : public sdk::Window {
  private:
   static QString topicOf(const std::string& topic) { return topic.empty() ? QString() : QStringLiteral("plugin ") + words(topic); }
   MessageBar& messages_;
-  TicketedCalls<> closing_, holding_;
+  CallRegistry<> closing_, holding_;
   std::vector<std::string> answers_;
   std::vector<sdk::UnsavedWork> held_;
 };
@@ -464,7 +464,7 @@ std::vector<sdk::UnsavedWork> WorkstationHost::unsaved() const { return parts_->
 HostScan& WorkstationHost::hostScan() { return parts_->scan; }
 HostOverlays& WorkstationHost::hostOverlays() { return parts_->overlays; }
 
-std::vector<const sdk::StagedPanel*> WorkstationHost::panelsAdded() const { return parts_->panels.all(); }
+std::vector<const sdk::StagePanel*> WorkstationHost::panelsAdded() const { return parts_->panels.all(); }
 
 std::string WorkstationHost::panelOf(const QObject* part) {
   for (; part != nullptr; part = part->parent())
@@ -473,7 +473,7 @@ std::string WorkstationHost::panelOf(const QObject* part) {
 }
 
 sdk::Volumes& WorkstationHost::volumes() { return parts_->volumes; }
-void WorkstationHost::setShownVolume(std::function<std::optional<sdk::ShownVolume>()> shown) {
+void WorkstationHost::setShownVolume(std::function<std::optional<sdk::DisplayVolume>()> shown) {
   parts_->volumes.shownNow = std::move(shown);
 }
 sdk::Files& WorkstationHost::files() { return parts_->files; }

@@ -62,7 +62,7 @@ class WorkstationHost final : public QObject, public sdk::Host {
   void setScan(std::function<std::optional<sdk::Cases::Scan>()> scan);
   void setChoices(std::function<sdk::Cases::Choices()> choices);
   /// What is scanned that is no case's: the window knows.
-  void setShownVolume(std::function<std::optional<sdk::ShownVolume>()> shown);
+  void setShownVolume(std::function<std::optional<sdk::DisplayVolume>()> shown);
   /// What the lock for trainees lets plugins read and change; it outlives the host. Without one they may everything.
   void setAccess(const AccessPolicy& access);
   void tellAccessChanged();
@@ -84,7 +84,7 @@ class WorkstationHost final : public QObject, public sdk::Host {
   [[nodiscard]] bool hasStageInFront() const;
   [[nodiscard]] QWidget* stageInFront(QWidget* parent);  ///< made when first asked for; null: it has none
   [[nodiscard]] std::shared_ptr<sdk::PanelDocument> documentInFront() const;
-  [[nodiscard]] std::vector<const sdk::StagedPanel*> panelsAdded() const;
+  [[nodiscard]] std::vector<const sdk::StagePanel*> panelsAdded() const;
   /// What would be lost if the window closed, beside what documents of panels say.
   [[nodiscard]] std::vector<sdk::UnsavedWork> unsaved() const;
   [[nodiscard]] HostScan& hostScan();

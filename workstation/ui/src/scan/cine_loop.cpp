@@ -11,7 +11,7 @@ constexpr double kFormedInATurn_ms = 12.0;
 
 }  // namespace
 
-CineLoop::CineLoop(ShownScan& scan, FrameTimer& frames) : scan_(scan), frames_(frames) {
+CineLoop::CineLoop(ScanContents& scan, FrameTimer& frames) : scan_(scan), frames_(frames) {
   connect(&formOn_, &QTimer::timeout, this, &CineLoop::formOn);
 }
 
@@ -42,13 +42,13 @@ void CineLoop::show(std::size_t frame) {
 void CineLoop::form() {
   if (!scan_.subject() || !scan_.hasSize()) return;
   if (!scan_.forming)
-    scan_.forming =
-        std::make_unique<ShownScan::Forming>(ShownScan::Forming{{CineForming(*scan_.subject(), 0), CineForming(*scan_.subject(), 0)}});
+    scan_.forming = std::make_unique<ScanContents::Forming>(
+        ScanContents::Forming{{CineForming(*scan_.subject(), 0), CineForming(*scan_.subject(), 0)}});
   const glm::ivec2 size_px(scan_.width_px, scan_.height_px);
   const auto isQuick = [this](std::size_t left) {
     return left <= kFormedAtOnce || static_cast<double>(left) * frames_.lastFrame_ms() <= kFormedAtOnce_ms;
   };
-  ShownScan::Forming& forming = *scan_.forming;
+  ScanContents::Forming& forming = *scan_.forming;
   const std::size_t shown = forming.shown, other = 1 - shown;
   if (isQuick(forming.two[shown].aim(scan_.cine, *scan_.cineFrame, size_px, scan_.processing))) return showFormed(shown);
   if (isQuick(forming.two[other].aim(scan_.cine, *scan_.cineFrame, size_px, scan_.processing))) return showFormed(other);
@@ -76,7 +76,7 @@ void CineLoop::showFormed(std::size_t which) {
   scan_.asScanned = scan_.cine.frame(*scan_.cineFrame);
   scan_.frozen = processed(scan_.asScanned, scan_.processing);
   scan_.shown = *scan_.frozen;
-  scan_.picture = here.picture();
+  scan_.image = here.image();
   frames_.countFormed(frame_ms);
   Q_EMIT formed();
 }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "scan/frame_timer.h"
-#include "scan/shown_scan.h"
+#include "scan/scan_contents.h"
 
 namespace ew::ui {
 
@@ -16,7 +16,7 @@ class CineLoop final : public QObject {
 
  public:
   /// @param scan,frames must live longer
-  CineLoop(ShownScan& scan, FrameTimer& frames);
+  CineLoop(ScanContents& scan, FrameTimer& frames);
 
   /// Since the scan was let run last, another probe was taken or a recording was shown. It rests while frozen.
   [[nodiscard]] const CineRing& ring() const { return scan_.cine; }
@@ -39,14 +39,14 @@ class CineLoop final : public QObject {
 
  Q_SIGNALS:
   void changed();   ///< which image of the ring is wanted, or the ring itself while frozen
-  void replaced();  ///< by the ring of another picture
-  void formed();    ///< the wanted image is the picture
+  void replaced();  ///< by the ring of another image
+  void formed();    ///< the wanted image is the one that is shown
 
  private:
   void formOn();
   void showFormed(std::size_t which);
 
-  ShownScan& scan_;
+  ScanContents& scan_;
   FrameTimer& frames_;
   QTimer formOn_;
 };

@@ -11,20 +11,20 @@ class QSlider;
 namespace ew::ui {
 
 /// The eight TGC sliders (decibels, or the paper's DGC factors), each at the middle of its eighth of the depth, with the curve through
-/// their handles. A slider whose depth the zoomed picture does not show is not shown either.
+/// their handles. A slider whose depth the zoomed image does not show is not shown either.
 class DgcColumn final : public QWidget {
   Q_OBJECT
 
  public:
   explicit DgcColumn(Session& session, QWidget* parent = nullptr);
-  /// @param top, bottom widget y of depth 0 and of the full depth; bottom lies above top when the picture stands upside down
+  /// @param top, bottom widget y of depth 0 and of the full depth; bottom lies above top when the image stands upside down
   /// @param room_px     free beside the fan at every slider; where that is less than their width all are shorter, and lie on no image
   void place(double top, double bottom, int room_px);
   void refreshIcons();
 
   [[nodiscard]] static int wanted_px();  ///< its width
   [[nodiscard]] static int least_px();   ///< of its width, below which no slider can be worked
-  [[nodiscard]] static int head_px();    ///< above the picture's top: the name and the reset button
+  [[nodiscard]] static int head_px();    ///< above the image's top: the name and the reset button
 
  protected:
   void paintEvent(QPaintEvent* event) override;

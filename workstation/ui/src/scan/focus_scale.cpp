@@ -8,7 +8,7 @@
 namespace ew::ui {
 
 std::vector<double> fociOf(const Session& session) {
-  const Knobs& knobs = session.isFrozen() ? session.pictureKnobs() : session.console().knobs();
+  const Knobs& knobs = session.isFrozen() ? session.imageKnobs() : session.console().knobs();
   std::vector<double> foci_mm{session.isFrozen() && knobs.focus_mm > 0.0 ? knobs.focus_mm : session.console().focus_mm()};
   for (const double more_mm : knobs.moreFoci_mm) {
     if (more_mm > 0.0) foci_mm.push_back(more_mm);

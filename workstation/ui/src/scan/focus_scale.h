@@ -9,7 +9,7 @@
 namespace ew::ui {
 
 /// The right edge of the scan view: a click or a drag puts the nearest focus mark to the depth under the pointer. It draws nothing; the
-/// view draws scale and marks. While the focus is off or the picture is frozen, the mouse goes through to the view.
+/// view draws scale and marks. While the focus is off or the image is frozen, the mouse goes through to the view.
 class FocusScale final : public QWidget {
   Q_OBJECT
 

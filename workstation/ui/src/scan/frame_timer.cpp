@@ -15,7 +15,7 @@ constexpr double kFramePeriod_ms = 36.0;  // about 28 frames a second, as a mach
 
 }  // namespace
 
-FrameTimer::FrameTimer(const ShownScan& scan) : scan_(scan) {
+FrameTimer::FrameTimer(const ScanContents& scan) : scan_(scan) {
   clock_.start();
   nextFrame_.setSingleShot(true);
   nextFrame_.setTimerType(Qt::PreciseTimer);
@@ -41,7 +41,7 @@ void FrameTimer::setWatched(bool watched) {
 }
 
 void FrameTimer::comeAsAMachine(double made_s) {
-  // What the picture's viewers spend counts as well: at least as long as frame and drawing took, the window is free for the hand.
+  // What the image's viewers spend counts as well: at least as long as frame and drawing took, the window is free for the hand.
   const double spent_ms = 1000.0 * (now_s() - made_s);
   nextFrame_.start(static_cast<int>(std::lround(std::max(kFramePeriod_ms - spent_ms, std::min(spent_ms, 200.0)))));
 }

@@ -4,7 +4,7 @@
 
 #include "ew/scanning/breathing.h"
 #include "scan/frame_timer.h"
-#include "scan/shown_scan.h"
+#include "scan/scan_contents.h"
 
 namespace ew::ui {
 
@@ -14,7 +14,7 @@ class PatientBreath final : public QObject {
 
  public:
   /// @param scan,frames must live longer
-  PatientBreath(const ShownScan& scan, FrameTimer& frames) : scan_(scan), frames_(frames) {}
+  PatientBreath(const ScanContents& scan, FrameTimer& frames) : scan_(scan), frames_(frames) {}
 
   /// From now on.
   void ask(BreathingRequest request);
@@ -33,9 +33,9 @@ class PatientBreath final : public QObject {
   void changed();
 
  private:
-  const ShownScan& scan_;
+  const ScanContents& scan_;
   FrameTimer& frames_;
-  AskedBreathing breathing_;
+  BreathControl breathing_;
 };
 
 }  // namespace ew::ui

@@ -22,7 +22,7 @@ PickLayer::PickLayer(Session& session, ScanView& scan) : QWidget(&scan), session
   setFocusPolicy(Qt::ClickFocus);
   hide();
   scan.installEventFilter(this);
-  connect(&session_, &Session::pictureChanged, this, &PickLayer::follow);
+  connect(&session_, &Session::imageChanged, this, &PickLayer::follow);
   connect(&session_.console(), &ScanConsole::knobsChanged, this, &PickLayer::follow);
   connect(&session_, &Session::subjectChanged, this, [this] {
     if (!session_.subject()) setPicking(false);
@@ -31,8 +31,8 @@ PickLayer::PickLayer(Session& session, ScanView& scan) : QWidget(&scan), session
 
 void PickLayer::follow() {
   if (isHidden()) return;
-  setGeometry(scan_.pictureRect());
-  pictureMoved();
+  setGeometry(scan_.imageRect());
+  imageMoved();
 }
 
 void PickLayer::setHint(const QString& hint) {
@@ -52,8 +52,8 @@ void PickLayer::setPicking(bool picking) {
   if (picking && !session_.subject()) picking = false;
   if (picking != picking_) {
     picking_ = picking;
-    const Picture& picture = session_.picture();
-    cross_ = kept().value_or(QPoint(picture.width() / 2, picture.height() / 2));
+    const DisplayImage& image = session_.image();
+    cross_ = kept().value_or(QPoint(image.width() / 2, image.height() / 2));
     showOrHide();
     if (picking) {
       setFocus(Qt::OtherFocusReason);
@@ -72,7 +72,7 @@ void PickLayer::showOrHide() {
   } else {
     unsetCursor();
   }
-  setGeometry(scan_.pictureRect());
+  setGeometry(scan_.imageRect());
   setVisible(picking_ || kept());
   raise();
   update();
@@ -141,9 +141,9 @@ void PickLayer::keyPressEvent(QKeyEvent* event) {
     by = {0, step_px};
   else
     return event->ignore();
-  const Picture& picture = session_.picture();
-  cross_ = {std::clamp(cross_.x() + by.x(), 0, std::max(0, picture.width() - 1)),
-            std::clamp(cross_.y() + by.y(), 0, std::max(0, picture.height() - 1))};
+  const DisplayImage& image = session_.image();
+  cross_ = {std::clamp(cross_.x() + by.x(), 0, std::max(0, image.width() - 1)),
+            std::clamp(cross_.y() + by.y(), 0, std::max(0, image.height() - 1))};
   update();
 }
 

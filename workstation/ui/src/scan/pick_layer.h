@@ -11,8 +11,8 @@ namespace ew::ui {
 class ScanView;
 class Session;
 
-/// Takes clicks into the picture in place of the probe, as long as somebody picks: the mouse clicks, on the keyboard the arrows move a
-/// cross (Shift: far) and Enter picks, Escape ends. Lies over the picture; what it does not use goes on to the scan view.
+/// Takes clicks into the image in place of the probe, as long as somebody picks: the mouse clicks, on the keyboard the arrows move a
+/// cross (Shift: far) and Enter picks, Escape ends. Lies over the image; what it does not use goes on to the scan view.
 class PickLayer : public QWidget {
   Q_OBJECT
 
@@ -22,14 +22,14 @@ class PickLayer : public QWidget {
 
   void setPicking(bool picking);
   [[nodiscard]] bool isPicking() const { return picking_; }
-  /// A sentence over the picture while somebody picks.
+  /// A sentence over the image while somebody picks.
   void setHint(const QString& hint);
   /// With a radius (mm, 0: no circle) strokes are drawn: button down, held, up; Enter is a stroke of one point. Without, points are picked.
   void setStroke(std::optional<double> radius_mm);
 
  Q_SIGNALS:
   void pickingChanged(bool picking);
-  void picked(const QPoint& pixel);  ///< of the picture, device pixels
+  void picked(const QPoint& pixel);  ///< of the image, device pixels
   void strokeBegun(const QPoint& pixel);
   void strokeMoved(const QPoint& pixel);
   void strokeEnded(const QPoint& pixel);
@@ -54,7 +54,7 @@ class PickLayer : public QWidget {
   static void paintCross(QPainter& painter, const QPointF& at, bool ringed);
   /// A pixel that stays marked when nobody picks; empty: none.
   [[nodiscard]] virtual std::optional<QPoint> kept() const { return std::nullopt; }
-  virtual void pictureMoved() {}  ///< another picture is shown, or elsewhere
+  virtual void imageMoved() {}  ///< another image is shown, or elsewhere
 
  private:
   void follow();

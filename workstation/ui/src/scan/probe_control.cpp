@@ -20,7 +20,7 @@ struct ProbeControl::News {
   bool isWaiting = false;  ///< told, and not taken yet: a flood of readings is one event
 };
 
-ProbeControl::ProbeControl(ShownScan& scan, FrameTimer& frames) : scan_(scan), frames_(frames) {
+ProbeControl::ProbeControl(ScanContents& scan, FrameTimer& frames) : scan_(scan), frames_(frames) {
   connect(&trackerTimer_, &QTimer::timeout, this, &ProbeControl::lookAtTracker);
 }
 
@@ -51,7 +51,7 @@ void ProbeControl::takeNews() {
   if (!tracked_ || source_) return;
   if (mover() == Mover::handMeanwhile) return lookAtTracker();
   if (mover() != Mover::tracker || !frames_.isWatched() || !scan_.isLive() || !scan_.subject() || frames_.isAsked()) return;
-  // A reading that comes too soon waits for no picture: the next one, which is newer, has it.
+  // A reading that comes too soon waits for no image: the next one, which is newer, has it.
   if (!frames_.isTooSoonForTracked()) frames_.askNow();
 }
 
@@ -177,11 +177,11 @@ void ProbeControl::lookAtTracker() {
     Q_EMIT trackingChanged();
 }
 
-/// What shows of earlier pictures in later ones is forgotten here, and where a recording is played again (Scanner::make), so that both go
+/// What shows of earlier images in later ones is forgotten here, and where a recording is played again (Scanner::make), so that both go
 /// on alike.
 bool ProbeControl::miss(ScanState next) {
   const TrackingReport before = std::exchange(tracking_, tracked_->report(next.time_s));
-  if (!scan_.isOfThisScan || scan_.picture.isEmpty()) {
+  if (!scan_.isOfThisScan || scan_.image.isEmpty()) {
     putHandAtTracked();
     takeBackByHand();
     return false;
@@ -198,7 +198,7 @@ bool ProbeControl::miss(ScanState next) {
   }
   const bool isAnotherSize = !scan_.isOfSize();
   if (isAnotherSize) {
-    scan_.picture = scan_.scanner.make(scan_.shown, scan_.width_px, scan_.height_px);
+    scan_.image = scan_.scanner.make(scan_.shown, scan_.width_px, scan_.height_px);
     scan_.forming.reset();
     scan_.scanner.forget();
   }
@@ -206,7 +206,7 @@ bool ProbeControl::miss(ScanState next) {
   next.gaps_mm.clear();
   missed_ = std::move(next);
   if (begins || before.state != tracking_.state) Q_EMIT trackingChanged();
-  if (isAnotherSize) Q_EMIT lastPictureMade();
+  if (isAnotherSize) Q_EMIT lastImageMade();
   Q_EMIT poseMissed();
   return true;
 }

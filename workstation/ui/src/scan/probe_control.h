@@ -10,7 +10,7 @@
 #include "ew/tracking/pose_source.h"
 #include "ew/tracking/tracked_probe.h"
 #include "scan/frame_timer.h"
-#include "scan/shown_scan.h"
+#include "scan/scan_contents.h"
 
 namespace ew::ui {
 
@@ -20,7 +20,7 @@ class ProbeControl final : public QObject {
 
  public:
   /// @param scan,frames must live longer
-  ProbeControl(ShownScan& scan, FrameTimer& frames);
+  ProbeControl(ScanContents& scan, FrameTimer& frames);
   ~ProbeControl() override;
 
   void setSkin(std::shared_ptr<const Skin> skin);
@@ -51,18 +51,18 @@ class ProbeControl final : public QObject {
   [[nodiscard]] const std::shared_ptr<const TrackedProbe>& tracked() const { return tracked_; }
   /// The user wants to go on with the mouse, at the place that was tracked last, or with the tracker again.
   void chooseMouse(bool mouse);
-  /// Whether a hand that moves is refused: the picture stands, or somebody else has the probe.
+  /// Whether a hand that moves is refused: the image stands, or somebody else has the probe.
   [[nodiscard]] bool handRests() const;
-  /// To be called when readings came, from any thread and as often as one likes: a picture of them is made as soon as one is due. Does
+  /// To be called when readings came, from any thread and as often as one likes: an image of them is made as soon as one is due. Does
   /// nothing once the session is gone.
   [[nodiscard]] std::function<void()> newsOfTracker();
-  /// The picture would be one of now, and there is no pose of now: it is the one before, and has to look like it.
+  /// The image would be one of now, and there is no pose of now: it is the one before, and has to look like it.
   [[nodiscard]] bool isLost() const { return lost_.has_value() && scan_.isLive() && !scan_.wide && mover() == Mover::tracker; }
-  /// How the tracker did when it was asked last: with every picture, and ten times a second. Of state `off` without one.
+  /// How the tracker did when it was asked last: with every image, and ten times a second. Of state `off` without one.
   [[nodiscard]] const TrackingReport& tracking() const { return tracking_; }
-  /// What the picture would have been made with while isLost(), with the last place and a status that is not ok.
+  /// What the image would have been made with while isLost(), with the last place and a status that is not ok.
   [[nodiscard]] const ScanState& missedState() const { return missed_; }
-  /// How the face of a tracked probe lies on the skin in the present picture; empty where nobody tracks it or contact does not count.
+  /// How the face of a tracked probe lies on the skin in the present image; empty where nobody tracks it or contact does not count.
   [[nodiscard]] std::optional<FaceReport> face() const;
   /// What steadyNow_s() is ahead of the scan's clock: the clock of a TrackedProbe.
   [[nodiscard]] double steadyMinusScan_s() const { return steadyNow_s() - frames_.now_s(); }
@@ -75,23 +75,23 @@ class ProbeControl final : public QObject {
   /// Whether it may be elsewhere after `time_s` although no hand moves.
   [[nodiscard]] bool movesAfter(double time_s) const;
 
-  /// A tracker has the probe, and a picture of now is made at `pose`, which is ok.
+  /// A tracker has the probe, and an image of now is made at `pose`, which is ok.
   void keepTracked(const Pose& pose) { lastTracked_ = pose; }
-  /// Instead of a picture: there is no pose to make `next` from.
+  /// Instead of an image: there is no pose to make `next` from.
   /// @returns whether the tracker still has the probe, so that frames go on
   bool miss(ScanState next);
   /// Whether the pose was lost until now.
   bool endLoss();
-  /// Of a loss that ended with the picture of `time_s`.
+  /// Of a loss that ended with the image of `time_s`.
   void tellFound(double time_s);
-  /// From the reading to the picture that shows it.
+  /// From the reading to the image that shows it.
   void measureLatency();
 
  Q_SIGNALS:
   void holdChanged();
-  void poseMissed();       ///< while isLost(), as often as pictures would have come: missedState() is new
+  void poseMissed();       ///< while isLost(), as often as images would have come: missedState() is new
   void trackingChanged();  ///< who has the probe, whether it is lost, or the state of the tracker
-  void lastPictureMade();  ///< once more while isLost(), for a window of another size
+  void lastImageMade();    ///< once more while isLost(), for a window of another size
 
  private:
   struct News;
@@ -101,7 +101,7 @@ class ProbeControl final : public QObject {
   void putHandAtTracked();
   [[nodiscard]] const PoseSource& poses() const;
 
-  ShownScan& scan_;
+  ScanContents& scan_;
   FrameTimer& frames_;
   std::shared_ptr<const Skin> skin_;
   HandOnSkin hand_;
@@ -116,7 +116,7 @@ class ProbeControl final : public QObject {
   ScanState missed_;
   TrackingReport tracking_;
   QTimer trackerTimer_;
-  double newest_s_ = 0.0;  ///< when the latest reading was measured that a picture showed
+  double newest_s_ = 0.0;  ///< when the latest reading was measured that an image showed
 };
 
 }  // namespace ew::ui

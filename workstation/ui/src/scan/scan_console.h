@@ -8,7 +8,7 @@
 #include "ew/imaging/resolved.h"
 #include "scan/frame_timer.h"
 #include "scan/probe_control.h"
-#include "scan/shown_scan.h"
+#include "scan/scan_contents.h"
 
 namespace ew::ui {
 
@@ -19,7 +19,7 @@ class ScanConsole final : public QObject {
 
  public:
   /// @param scan,frames,probe must live longer
-  ScanConsole(ShownScan& scan, FrameTimer& frames, ProbeControl& probe) : scan_(scan), frames_(frames), probeControl_(probe) {}
+  ScanConsole(ScanContents& scan, FrameTimer& frames, ProbeControl& probe) : scan_(scan), frames_(frames), probeControl_(probe) {}
 
   void setProbes(std::vector<Probe> all);
   [[nodiscard]] const std::vector<Probe>& allProbes() const { return all_; }
@@ -39,7 +39,7 @@ class ScanConsole final : public QObject {
 
   void setKnobs(const Knobs& knobs);
   [[nodiscard]] const Knobs& knobs() const { return scan_.console().knobs; }
-  /// Which part of the fan a zoomed picture shows.
+  /// Which part of the fan a zoomed image shows.
   void setPan(const Pan& pan) { setDetail(knobs().zoom, pan); }
   /// How large, and which part.
   void setDetail(double zoom, const Pan& pan);
@@ -72,7 +72,7 @@ class ScanConsole final : public QObject {
   void probeChanged();
   void knobsChanged();
   void changeRefused();                            ///< of settings, because the image is frozen
-  void wideDetailAsked(const ew::Detail& detail);  ///< the wide picture is to be shown so
+  void wideDetailAsked(const ew::Detail& detail);  ///< the wide image is to be shown so
 
  private:
   void updateUsableProbes();
@@ -80,11 +80,11 @@ class ScanConsole final : public QObject {
   void takeScene(const Scene& scene);
   /// A change of settings while frozen: refused, and who asked is told the settings there are.
   [[nodiscard]] bool refuses();
-  /// Of a frozen picture: shown so from now on. Expects nothing that needs new echoes.
+  /// Of a frozen image: shown so from now on. Expects nothing that needs new echoes.
   void process(const Knobs& knobs, const Pan& pan);
   void setKnobsOfWide(Knobs asked);
 
-  ShownScan& scan_;
+  ScanContents& scan_;
   FrameTimer& frames_;
   ProbeControl& probeControl_;
   std::vector<Probe> all_, usable_;

@@ -13,7 +13,7 @@
 #include "ew/widgets/figures.h"
 #include "ew/widgets/focus_ring.h"
 #include "ew/widgets/icons.h"
-#include "ew/widgets/picture_image.h"
+#include "ew/widgets/qt_image.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "scan/dgc_column.h"
@@ -27,7 +27,7 @@ namespace ew::ui {
 namespace {
 
 constexpr int kLeastMargin_px = 8;  // beside a fan whose corners hold sliders and scale
-constexpr int kMostOverPicture =
+constexpr int kMostOverImage =
     2;                         // labels of the scale that may reach over the fan's widest place; a rectangle keeps all of them beside it
 constexpr int kHint_px = 220;  // what a drag does
 constexpr int kSaidLong_ms = 3000;
@@ -36,7 +36,7 @@ int leftRoom_px() { return DgcColumn::wanted_px(); }
 int rightRoom_px() { return 26 + scaled(38); }  // depth scale
 int topRoom_px() { return 12 + scaled(44); }    // probe name, reset of the TGC, marker
 int lineHeight_px() { return scaled(24); }
-int bottomRoom_px() { return 16 + lineHeight_px(); }  // what the picture is
+int bottomRoom_px() { return 16 + lineHeight_px(); }  // what the image is
 int timeRoom_px() { return 8 + scaled(16); }          // time ticks under the strip
 
 /// Distance of labelled ticks so that about 4 to 8 of them fit, from the 1-2-5 series, in mm.
@@ -73,7 +73,7 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
     arrange();
     update();
   };
-  connect(&session_, &Session::pictureChanged, this, changed);
+  connect(&session_, &Session::imageChanged, this, changed);
   connect(&session_.console(), &ScanConsole::knobsChanged, this, changed);
   connect(&session_.console(), &ScanConsole::sceneChanged, this, changed);
   connect(&session_, &Session::frozenChanged, this, changed);
@@ -88,7 +88,7 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
   });
 }
 
-QRect ScanView::pictureRect() const {
+QRect ScanView::imageRect() const {
   const QRect whole = wholeRect();
   if (mode() != DisplayMode::bMode || share_ >= 1.0) return whole;
   const QSize size(std::max(1, static_cast<int>(std::lround(share_ * whole.width()))),
@@ -99,7 +99,7 @@ QRect ScanView::pictureRect() const {
 double ScanView::pixelOfWhole_mm() const {
   if (!session_.subject()) return 0.0;
   const QSize size = wholeRect().size() * devicePixelRatioF();
-  return fitDisplay(session_.pictureProbe(), session_.pictureKnobs(), std::max(1, size.width()), std::max(1, size.height())).pixel_mm;
+  return fitDisplay(session_.imageProbe(), session_.imageKnobs(), std::max(1, size.width()), std::max(1, size.height())).pixel_mm;
 }
 
 void ScanView::setLeastPixel(double pixel_mm) {
@@ -123,20 +123,20 @@ QRect ScanView::wholeRect() const {
                     std::max(1, height() - topRoom_px() - bottomRoom_px()));
   if (isAlone) return whole;
   if (mode() == DisplayMode::mMode) return whole.adjusted(0, 0, 0, -std::min(timeRoom_px(), whole.height() - 1));
-  // Picture and strip have the same size; between them there is room for the picture's lower edge to be seen as one.
+  // Image and strip have the same size; between them there is room for the image's lower edge to be seen as one.
   return {whole.left(), whole.top(), whole.width(), std::max(1, (whole.height() - timeRoom_px() - 16) / 2)};
 }
 
 QRect ScanView::stripRect() const {
-  const QRect picture = pictureRect();
+  const QRect display = imageRect();
   if (mode() == DisplayMode::bMode) return {};
-  return mode() == DisplayMode::mMode ? picture : picture.translated(0, picture.height() + 16);
+  return mode() == DisplayMode::mMode ? display : display.translated(0, display.height() + 16);
 }
 
 std::vector<QRect> ScanView::fanRects() const {
-  if (mode() == DisplayMode::mMode || session_.picture().isEmpty()) return {};
-  if (session_.wide() != nullptr) return {pictureRect()};
-  return rectsOfFan(session_.seen().spans(), pictureRect().topLeft(), devicePixelRatioF());
+  if (mode() == DisplayMode::mMode || session_.image().isEmpty()) return {};
+  if (session_.wide() != nullptr) return {imageRect()};
+  return rectsOfFan(session_.seen().spans(), imageRect().topLeft(), devicePixelRatioF());
 }
 
 double ScanView::mmPerWidgetPixel() const {
@@ -149,7 +149,7 @@ double ScanView::yOfDepth(double depth_mm) const {
   if (geometry.pixel_mm <= 0.0) return 0.0;
   if (mode() == DisplayMode::mMode) return stripRect().top() + stripRect().height() * depth_mm / geometry.depth_mm;
   const double down = geometry.upsideDown ? -1.0 : 1.0;
-  return pictureRect().top() + (geometry.face_px.y + down * depth_mm / geometry.pixel_mm) / devicePixelRatioF();
+  return imageRect().top() + (geometry.face_px.y + down * depth_mm / geometry.pixel_mm) / devicePixelRatioF();
 }
 
 QPointF ScanView::positionOf(const Point<frame::Probe>& at) const {
@@ -157,14 +157,13 @@ QPointF ScanView::positionOf(const Point<frame::Probe>& at) const {
   const double across = geometry.markerLeft ? -1.0 : 1.0;
   const double down = geometry.upsideDown ? -1.0 : 1.0;
   const double scale = 1.0 / (geometry.pixel_mm * devicePixelRatioF());
-  return QPointF(pictureRect().topLeft()) + QPointF(geometry.face_px.x, geometry.face_px.y) / devicePixelRatioF() +
+  return QPointF(imageRect().topLeft()) + QPointF(geometry.face_px.x, geometry.face_px.y) / devicePixelRatioF() +
          scale * QPointF(across * at.at.x, down * at.at.y);
 }
 
 Point<frame::Probe> ScanView::pointAt(const QPointF& position) const {
   const DisplayGeometry& geometry = session_.geometry();
-  const QPointF pixel =
-      (position - QPointF(pictureRect().topLeft())) * devicePixelRatioF() - QPointF(geometry.face_px.x, geometry.face_px.y);
+  const QPointF pixel = (position - QPointF(imageRect().topLeft())) * devicePixelRatioF() - QPointF(geometry.face_px.x, geometry.face_px.y);
   return {{(geometry.markerLeft ? -1.0 : 1.0) * geometry.pixel_mm * pixel.x(),
            (geometry.upsideDown ? -1.0 : 1.0) * geometry.pixel_mm * pixel.y(), 0.0}};
 }
@@ -198,15 +197,15 @@ void ScanView::fitMargins() {
     fitted_ = {};
     return;
   }
-  // What shapes the fan, but for the zoom: a zoomed picture fills the view and lies under them, and the layout stays as it was.
-  const Knobs& asked = session_.pictureKnobs();
+  // What shapes the fan, but for the zoom: a zoomed image fills the view and lies under them, and the layout stays as it was.
+  const Knobs& asked = session_.imageKnobs();
   Knobs whole;
   whole.depth_mm = asked.depth_mm;
   whole.steering_rad = asked.steering_rad;
   whole.trapezoid = asked.trapezoid;
   whole.markerLeft = asked.markerLeft;
   whole.upsideDown = asked.upsideDown;
-  const Fitted wanted{size(), session_.pictureProbe().id, whole, isCompact_};
+  const Fitted wanted{size(), session_.imageProbe().id, whole, isCompact_};
   if (wanted == fitted_) return;
   fitted_ = wanted;
   constexpr int kSteps = 10;
@@ -225,8 +224,8 @@ bool ScanView::fitsBeside(const Knobs& whole) {
   const int width_px = width() - left_px_ - right_px_;
   const int height_px = height() - topRoom_px() - bottomRoom_px();
   if (width_px < 1 || height_px < 1) return false;
-  const DisplayGeometry geometry = fitDisplay(session_.pictureProbe(), whole, width_px, height_px);
-  const Spans fan = fanSpans(session_.pictureProbe(), whole, geometry);
+  const DisplayGeometry geometry = fitDisplay(session_.imageProbe(), whole, width_px, height_px);
+  const Spans fan = fanSpans(session_.imageProbe(), whole, geometry);
   const int half_px = scaled(10);
   int tooFewLeft = 0, tooFewRight = 0;
   for (int i = 0; i < kDgcSliders; ++i) {
@@ -244,7 +243,7 @@ bool ScanView::fitsBeside(const Knobs& whole) {
     tooFewLeft += left_px < DgcColumn::least_px() ? 1 : 0;
     tooFewRight += right_px < rightRoom_px() ? 1 : 0;
   }
-  return isCompact_ || (tooFewLeft == 0 && tooFewRight <= kMostOverPicture);
+  return isCompact_ || (tooFewLeft == 0 && tooFewRight <= kMostOverImage);
 }
 
 void ScanView::setCompact(bool compact) {
@@ -271,9 +270,9 @@ bool ScanView::event(QEvent* event) {
 void ScanView::arrange() {
   fitMargins();
   share_ = leastPixel_mm_ > 0.0 && session_.subject() ? std::min(1.0, pixelOfWhole_mm() / leastPixel_mm_) : 1.0;
-  const QRect box = pictureRect();
-  session_.setPictureSize(static_cast<int>(std::lround(box.width() * devicePixelRatioF())),
-                          static_cast<int>(std::lround(box.height() * devicePixelRatioF())));
+  const QRect box = imageRect();
+  session_.setImageSize(static_cast<int>(std::lround(box.width() * devicePixelRatioF())),
+                        static_cast<int>(std::lround(box.height() * devicePixelRatioF())));
   const int head = DgcColumn::head_px();
   dgc_->setGeometry(0, box.top() - head, leftRoom_px(), box.height() + head);
   // A zoomed image, a strip and one that is made smaller do not keep the fan's outline.
@@ -293,8 +292,8 @@ void ScanView::setNothing(const QString& sentence) {
 void ScanView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
-  const Picture& picture = session_.picture();
-  if (picture.isEmpty() || !session_.subject()) {
+  const DisplayImage& display = session_.image();
+  if (display.isEmpty() || !session_.subject()) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
     painter.drawText(rect().adjusted(40, 40, -40, -40), Qt::AlignCenter | Qt::TextWordWrap,
@@ -302,12 +301,12 @@ void ScanView::paintEvent(QPaintEvent*) {
     return;
   }
   if (mode() != DisplayMode::mMode) {
-    QImage image = session_.probeControl().isLost() ? paled(imageOf(picture)) : imageOf(picture);
+    QImage image = session_.probeControl().isLost() ? paled(imageOf(display)) : imageOf(display);
     image.setDevicePixelRatio(devicePixelRatioF());
-    painter.drawImage(pictureRect().topLeft(), image);
+    painter.drawImage(imageRect().topLeft(), image);
     if (session_.wide() == nullptr && !isInAir()) {
       veil_.follow(session_, devicePixelRatioF());
-      veil_.paint(painter, pictureRect(), session_, tr("Nothing recorded here"));
+      veil_.paint(painter, imageRect(), session_, tr("Nothing recorded here"));
     }
   }
   if (mode() != DisplayMode::bMode) paintStrip(painter);
@@ -318,7 +317,7 @@ void ScanView::paintEvent(QPaintEvent*) {
   if (mode() == DisplayMode::both) paintMLine(painter);
   if (paintOver && mode() != DisplayMode::mMode) {
     painter.save();
-    painter.setClipRect(pictureRect());
+    painter.setClipRect(imageRect());
     paintOver(painter);
     painter.restore();
   }
@@ -331,7 +330,7 @@ void ScanView::paintEvent(QPaintEvent*) {
   if (mode() != DisplayMode::mMode && session_.wide() == nullptr && isBesideVolume()) {
     painter.setFont(textFont());
     painter.setPen(scanTheme().quiet);
-    painter.drawText(pictureRect(), Qt::AlignCenter | Qt::TextWordWrap,
+    painter.drawText(imageRect(), Qt::AlignCenter | Qt::TextWordWrap,
                      session_.isFrozen() || session_.probeControl().mover() == ProbeControl::Mover::tracker
                          ? tr("The probe is outside the volume.")
                          : tr("The probe is outside the volume. Slide it back, or press Home for the start."));
@@ -346,7 +345,7 @@ bool ScanView::isInAir() const {
 
 /// Border and words over all that would be live: in B- and M-mode over both.
 void ScanView::paintLost(QPainter& painter) {
-  const QRect shown = mode() == DisplayMode::bMode ? pictureRect() : pictureRect().united(stripRect());
+  const QRect shown = mode() == DisplayMode::bMode ? imageRect() : imageRect().united(stripRect());
   paintLoss(painter, shown, session_.probeControl().tracking(), !session_.probeControl().handRests());
   if (!said_.isEmpty()) paintSaid(painter);
 }
@@ -358,23 +357,23 @@ bool ScanView::paintTracked(QPainter& painter) {
   if (session_.probeControl().mover() == ProbeControl::Mover::handMeanwhile) {
     const TrackingState state = session_.probeControl().tracking().state;
     const TrackingLook look = lookOf(state, scanTheme());
-    paintTrackingNote(painter, pictureRect(), look.icon, lossColour(state), tr("The mouse has the probe. Tracker: %1.").arg(look.word));
+    paintTrackingNote(painter, imageRect(), look.icon, lossColour(state), tr("The mouse has the probe. Tracker: %1.").arg(look.word));
     return true;
   }
   const auto face = session_.probeControl().face();
   if (!face || face->how == FaceOnSkin::touches) return false;
   const bool isWrong = face->how == FaceOnSkin::tooDeep;
-  paintTrackingNote(painter, pictureRect(), isWrong ? QStringLiteral("tracking-invalid") : QStringLiteral("tracking-live"),
+  paintTrackingNote(painter, imageRect(), isWrong ? QStringLiteral("tracking-invalid") : QStringLiteral("tracking-live"),
                     isWrong ? scanTheme().danger : scanTheme().quiet, words(faceSentence(*face)));
   return true;
 }
 
 bool ScanView::isBesideVolume() const {
-  // A picture with a single echo in it needs no question; most do. Noise is no echo.
-  const ImageView<const std::uint8_t> picture = session_.picture().grey;
-  if (!session_.pictureScene().noise) {
-    for (int y = 0; y < picture.height; ++y) {
-      if (std::any_of(picture.row(y), picture.row(y) + picture.width, [](std::uint8_t grey) { return grey != 0; })) return false;
+  // An image with a single echo in it needs no question; most do. Noise is no echo.
+  const ImageView<const std::uint8_t> display = session_.image().grey;
+  if (!session_.imageScene().noise) {
+    for (int y = 0; y < display.height; ++y) {
+      if (std::any_of(display.row(y), display.row(y) + display.width, [](std::uint8_t grey) { return grey != 0; })) return false;
     }
   }
   return !session_.seesVolume();
@@ -382,7 +381,7 @@ bool ScanView::isBesideVolume() const {
 
 /// Where data end below the middle of the face: from here on a row of dots runs along the scale.
 void ScanView::paintEndOfData(QPainter& painter, double end_mm) {
-  const QRect box = pictureRect();
+  const QRect box = imageRect();
   const double x = width() - 24;
   const auto within = [&](double y) { return std::clamp(y, static_cast<double>(box.top()), static_cast<double>(box.bottom())); };
   const double from = within(yOfDepth(end_mm)), to = within(yOfDepth(session_.geometry().depth_mm));
@@ -411,20 +410,20 @@ void ScanView::paintDepthScale(QPainter& painter) {
       if (labelled) drawFigures(painter, QRect(x - 56, static_cast<int>(y) - 10, 38, 20), Qt::AlignRight, QString::number(at_mm / 10));
     }
   };
-  paintScale(pictureRect(), [this](double mm) { return yOfDepth(mm); });
+  paintScale(imageRect(), [this](double mm) { return yOfDepth(mm); });
   if (mode() != DisplayMode::mMode && session_.wide() == nullptr && veil_.end_mm() && !isInAir()) paintEndOfData(painter, *veil_.end_mm());
   if (mode() == DisplayMode::both) {
     const QRect strip = stripRect();
     paintScale(strip, [&](double mm) { return strip.top() + strip.height() * mm / depth_mm; });
   }
-  if (pictureRect().height() > 0)
+  if (imageRect().height() > 0)
     drawFigures(painter, QRect(x - 56, height() - 8 - lineHeight_px(), 56, lineHeight_px()), Qt::AlignRight, tr("cm"));
 }
 
 void ScanView::paintFoci(QPainter& painter) {
   const Theme theme = scanTheme();
-  const QRect box = pictureRect();
-  const bool isOn = session_.pictureScene().focus.has_value();
+  const QRect box = imageRect();
+  const bool isOn = session_.imageScene().focus.has_value();
   for (const double focus_mm : fociOf(session_)) {
     const double y = yOfDepth(focus_mm);
     if (y < box.top() || y > box.bottom()) continue;
@@ -444,11 +443,11 @@ void ScanView::paintFoci(QPainter& painter) {
 
 void ScanView::paintMarker(QPainter& painter) {
   const DisplayGeometry& geometry = session_.geometry();
-  const Probe& probe = session_.pictureProbe();
-  // The marker stands at the side the probe's +x points to in the picture, a little off the end of the face.
+  const Probe& probe = session_.imageProbe();
+  // The marker stands at the side the probe's +x points to in the image, a little off the end of the face.
   const double side = geometry.markerLeft ? -1.0 : 1.0;
   const double away = geometry.upsideDown ? 12.0 : -12.0;
-  const QRect box = pictureRect();
+  const QRect box = imageRect();
   const double x = box.left() + (geometry.face_px.x + side * faceHalfWidth_mm(probe) / geometry.pixel_mm) / devicePixelRatioF();
   const double y = yOfDepth(-faceSagitta_mm(probe)) + away;
   const QPointF centre(std::clamp(x, box.left() + 6.0, box.right() - 6.0), std::clamp(y, box.top() - 12.0, box.bottom() + 12.0));
@@ -460,13 +459,13 @@ void ScanView::paintMarker(QPainter& painter) {
 
 void ScanView::paintMLine(QPainter& painter) {
   const DisplayGeometry& geometry = session_.geometry();
-  const Knobs& knobs = session_.pictureKnobs();
-  const BeamGrid grid = makeBeamGrid(session_.pictureProbe(), knobs, geometry.depth_mm, geometry.depth_mm / 8.0);
+  const Knobs& knobs = session_.imageKnobs();
+  const BeamGrid grid = makeBeamGrid(session_.imageProbe(), knobs, geometry.depth_mm, geometry.depth_mm / 8.0);
   if (grid.lines.empty()) return;
   const auto last = static_cast<double>(grid.lines.size() - 1);
   const auto index = static_cast<std::size_t>(std::lround((std::clamp(knobs.mLine, -1.0, 1.0) + 1.0) / 2.0 * last));
   const BeamGrid::Line& line = grid.lines[index];
-  const QRect box = pictureRect();
+  const QRect box = imageRect();
   const auto at = [&](double depth_mm) {
     const glm::dvec2 p_mm = line.origin_mm + depth_mm * line.direction;
     const double across = geometry.markerLeft ? -1.0 : 1.0;
@@ -495,7 +494,7 @@ void ScanView::paintStrip(QPainter& painter) {
     painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
   }
   // Seconds across the strip; labels stay apart.
-  const double sweep_s = std::max(1.0, session_.pictureKnobs().mSweep_s);
+  const double sweep_s = std::max(1.0, session_.imageKnobs().mSweep_s);
   const int labelled_s = box.width() / sweep_s < scaled(40.0) ? (box.width() / sweep_s < scaled(20.0) ? 4 : 2) : 1;
   painter.setFont(smallFont());
   painter.setPen(QPen(theme.quiet, 1.0));
@@ -516,12 +515,12 @@ void ScanView::paintWords(QPainter& painter) {
   const QFontMetrics metrics = painter.fontMetrics();
   const int right = width() - 24 - scaled(session_.isFrozen() ? 120 : recorded_s_ ? 72 : 0);
   painter.drawText(QRect(20, 8, right - 20, lineHeight_px()), Qt::AlignLeft | Qt::AlignVCenter,
-                   metrics.elidedText(label_.isEmpty() ? nameOfProbe(session_.pictureProbe().name)
-                                                       : label_ + QStringLiteral("   ") + nameOfProbe(session_.pictureProbe().name),
+                   metrics.elidedText(label_.isEmpty() ? nameOfProbe(session_.imageProbe().name)
+                                                       : label_ + QStringLiteral("   ") + nameOfProbe(session_.imageProbe().name),
                                       Qt::ElideRight, right - 20));
-  const Knobs& knobs = session_.pictureKnobs();
+  const Knobs& knobs = session_.imageKnobs();
   const QString depth_cm = figure(session_.geometry().depth_mm / 10.0, 1);
-  QString line = resolvedGainLaw(knobs, session_.pictureScene()) == GainLaw::decibel
+  QString line = resolvedGainLaw(knobs, session_.imageScene()) == GainLaw::decibel
                      ? tr("depth %1 cm   gain %2 dB").arg(depth_cm, signedFigure(knobs.gain_db, 1))
                      : tr("depth %1 cm   gain %2 %").arg(depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
   if (knobs.zoom > 1.0) line += tr("   zoom %1").arg(figure(knobs.zoom, 1));
@@ -552,7 +551,7 @@ void ScanView::setRecording(std::optional<double> length_s) {
 
 void ScanView::paintSaid(QPainter& painter) {
   painter.setFont(textFont());
-  QRect room = pictureRect().adjusted(16, 16, -16, -16);
+  QRect room = imageRect().adjusted(16, 16, -16, -16);
   constexpr int kFromMark_px = 20;
   // Beside the body mark, which lies on top of what is painted here.
   if (const auto* mark = findChild<QWidget*>(QStringLiteral("bodyMark"));

@@ -6,34 +6,34 @@
 #include <optional>
 #include <vector>
 
+#include "scan/gap_veil.h"
 #include "scan/session.h"
-#include "scan/unrecorded_veil.h"
 
 namespace ew::ui {
 
 class DgcColumn;
 class FocusScale;
 
-/// The scan: the picture pixel for pixel on black, and around it what a machine shows: depth scale, marker, focus marks, DGC sliders at
-/// their depths, and in M-mode the strip of one beam over time, below the picture or instead of it. Scale and sliders stand in the black
-/// corners beside the fan where it leaves them room, so that the picture may be as large as the view; no slider lies on the fan.
+/// The scan: the image pixel for pixel on black, and around it what a machine shows: depth scale, marker, focus marks, DGC sliders at
+/// their depths, and in M-mode the strip of one beam over time, below the image or instead of it. Scale and sliders stand in the black
+/// corners beside the fan where it leaves them room, so that the image may be as large as the view; no slider lies on the fan.
 class ScanView final : public QWidget {
   Q_OBJECT
 
  public:
   explicit ScanView(Session& session, QWidget* parent = nullptr);
 
-  /// Where the picture lies in the widget, in widget pixels. In M-mode alone nothing is drawn there but the strip.
-  [[nodiscard]] QRect pictureRect() const;
+  /// Where the image lies in the widget, in widget pixels. In M-mode alone nothing is drawn there but the strip.
+  [[nodiscard]] QRect imageRect() const;
   /// Where the M-mode strip lies; empty in B-mode.
   [[nodiscard]] QRect stripRect() const;
-  /// What the fan of the picture covers, in widget pixels; all of a wide image. Empty without a picture.
+  /// What the fan of the image covers, in widget pixels; all of a wide image. Empty without an image.
   [[nodiscard]] std::vector<QRect> fanRects() const;
   /// Whether the image fills the view, and leaves no black beside it.
-  [[nodiscard]] bool isZoomed() const { return mode() != DisplayMode::mMode && session_.pictureKnobs().zoom > 1.0; }
+  [[nodiscard]] bool isZoomed() const { return mode() != DisplayMode::mMode && session_.imageKnobs().zoom > 1.0; }
   /// Millimetres of tissue that a widget pixel shows; what a drag of the mouse is worth.
   [[nodiscard]] double mmPerWidgetPixel() const;
-  /// Widget y of a depth below the middle of the probe's face, on the picture or, in M-mode alone, on the strip.
+  /// Widget y of a depth below the middle of the probe's face, on the image or, in M-mode alone, on the strip.
   [[nodiscard]] double yOfDepth(double depth_mm) const;
   [[nodiscard]] double depthAt_mm(double y) const;
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 320}; }
@@ -44,14 +44,14 @@ class ScanView final : public QWidget {
   /// Paints over the image, clipped to it. Not on the strip of the M-mode.
   std::function<void(QPainter&)> paintOver;
   void refreshIcons();
-  /// What is said while there is no picture; empty: the usual.
+  /// What is said while there is no image; empty: the usual.
   void setNothing(const QString& sentence);
-  /// A sentence over the picture for a few seconds.
+  /// A sentence over the image for a few seconds.
   void say(const QString& sentence);
   [[nodiscard]] QString said() const { return said_; }
   /// Sliders and marks on the image that change settings.
   void setControlsEnabled(bool enabled);
-  /// Which of several pictures it is, before the name of the probe; empty: the only one.
+  /// Which of several images it is, before the name of the probe; empty: the only one.
   void setLabel(const QString& label);
   [[nodiscard]] const QString& label() const { return label_; }
   /// One of several images: the sliders are left out, and the scale stands as far in as there is black, so that the room is the fan's.
@@ -90,7 +90,7 @@ class ScanView final : public QWidget {
   [[nodiscard]] int leftMost_px() const;   ///< room for the sliders
   [[nodiscard]] int rightMost_px() const;  ///< room for the scale
   [[nodiscard]] QRect wholeRect() const;   ///< room for the image, beside the scales
-  [[nodiscard]] DisplayMode mode() const { return session_.pictureKnobs().mode; }
+  [[nodiscard]] DisplayMode mode() const { return session_.imageKnobs().mode; }
   [[nodiscard]] bool isBesideVolume() const;
   [[nodiscard]] bool isInAir() const;
   void paintEndOfData(QPainter& painter, double end_mm);
@@ -107,7 +107,7 @@ class ScanView final : public QWidget {
   Session& session_;
   DgcColumn* dgc_ = nullptr;
   FocusScale* scale_ = nullptr;
-  int left_px_ = 0, right_px_ = 0;  ///< kept free beside the picture
+  int left_px_ = 0, right_px_ = 0;  ///< kept free beside the image
   int besideFan_px_ = 0;            ///< what is free left of the fan at every slider
   bool isCompact_ = false;
   bool isNearSliders_ = false;  ///< the pointer
@@ -119,7 +119,7 @@ class ScanView final : public QWidget {
     bool operator==(const Fitted&) const = default;
   };
   Fitted fitted_;  ///< what the margins were fitted to
-  UnrecordedVeil veil_;
+  GapVeil veil_;
   std::optional<double> recorded_s_;
   QString label_;
   double leastPixel_mm_ = 0.0;

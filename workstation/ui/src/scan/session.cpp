@@ -8,15 +8,15 @@
 namespace ew::ui {
 
 Session::Session(QObject* parent) : QObject(parent) {
-  connect(&frames_, &FrameTimer::asked, this, &Session::makePictureNow);
+  connect(&frames_, &FrameTimer::asked, this, &Session::makeImageNow);
   connect(&frames_, &FrameTimer::elapsed, this, [this] {
     if (!frames_.isWatched() || !changesByItself()) return;
     isOwnFrame_ = !frames_.isAsked() && probeControl_.mover() != ProbeControl::Mover::tracker;
     frames_.askNow();
     isOwnFrame_ = false;
   });
-  connect(&cineLoop_, &CineLoop::formed, this, &Session::pictureChanged);
-  connect(&probeControl_, &ProbeControl::lastPictureMade, this, &Session::pictureChanged);
+  connect(&cineLoop_, &CineLoop::formed, this, &Session::imageChanged);
+  connect(&probeControl_, &ProbeControl::lastImageMade, this, &Session::imageChanged);
 }
 
 void Session::endSubject(Patient patient) {
@@ -63,16 +63,16 @@ void Session::clear(Patient patient) {
   scan_.scanner.clear();
   scan_.cine.forget();
   recorded_ = {};
-  scan_.picture = {};
+  scan_.image = {};
   scan_.isOfThisScan = false;
   scan_.forming.reset();
   Q_EMIT subjectChanged();
-  Q_EMIT pictureChanged();
+  Q_EMIT imageChanged();
 }
 
-void Session::exchangePicture(Session& other) {
+void Session::exchangeImage(Session& other) {
   EW_EXPECTS(&other != this && !scan_.played && !other.scan_.played && !scan_.wide && !other.scan_.wide);
-  EW_EXPECTS((scan_.frozen || scan_.picture.isEmpty()) && (other.scan_.frozen || other.scan_.picture.isEmpty()));
+  EW_EXPECTS((scan_.frozen || scan_.image.isEmpty()) && (other.scan_.frozen || other.scan_.image.isEmpty()));
   const bool wasFrozen = isFrozen(), otherWasFrozen = other.isFrozen();
   const bool isForming = cineLoop_.isForming(), otherIsForming = other.cineLoop_.isForming();
   for (Session* each : {this, &other}) {
@@ -85,9 +85,9 @@ void Session::exchangePicture(Session& other) {
   }
   std::swap(scan_, other.scan_);
   probeControl_.endLoss();
-  // No two pictures of the window have the same number.
+  // No two images of the window have the same number.
   scan_.live.number = other.scan_.live.number = std::max(scan_.live.number, other.scan_.live.number);
-  // The subject may have been edited while the picture stood aside.
+  // The subject may have been edited while the image stood aside.
   if (other.subject() && subject()) {
     Scanner& scanner = scan_.scanner;
     const ScanSubject& edited = *other.subject();
@@ -98,13 +98,13 @@ void Session::exchangePicture(Session& other) {
     if (edited.labels != subject()->labels) scanner.setLabels(edited.labels);
     caseLabels_ = other.caseLabels_;
   }
-  tellOfPicture(wasFrozen);
-  other.tellOfPicture(otherWasFrozen);
+  notifyImageChanged(wasFrozen);
+  other.notifyImageChanged(otherWasFrozen);
   if (otherIsForming) cineLoop_.form();
   if (isForming) other.cineLoop_.form();
 }
 
-void Session::tellOfPicture(bool wasFrozen) {
+void Session::notifyImageChanged(bool wasFrozen) {
   frames_.ask();
   if (isFrozen() != wasFrozen) Q_EMIT frozenChanged(isFrozen());
   Q_EMIT cineLoop_.replaced();
@@ -112,7 +112,7 @@ void Session::tellOfPicture(bool wasFrozen) {
   Q_EMIT console_.knobsChanged();
   Q_EMIT console_.sceneChanged();
   Q_EMIT probeControl_.holdChanged();
-  Q_EMIT pictureChanged();
+  Q_EMIT imageChanged();
 }
 
 void Session::beginLike(const Session& other) {
@@ -182,7 +182,7 @@ void Session::setCaseScene(const Scene& asked) {
 }
 
 bool Session::changesByItself() const {
-  if (!subject() || !scan_.isLive() || scan_.picture.isEmpty()) return false;
+  if (!subject() || !scan_.isLive() || scan_.image.isEmpty()) return false;
   return (subject()->movesIn(scan_.live.scene) && breath_.movesAfter(scan_.shown.time_s)) || scan_.live.scene.noise ||
          scan_.live.knobs.mode != DisplayMode::bMode || scan_.unsettledFrames > 0 || frames_.isLowered() ||
          probeControl_.movesAfter(scan_.shown.time_s);
@@ -197,22 +197,22 @@ std::optional<double> Session::contact() const {
   return subject() ? contactShare(gaps_mm, dataInFrontOf(recorded_, probe, here)) : contactShare(gaps_mm);
 }
 
-UnrecordedPart Session::unrecorded() const {
+RecordingGap Session::unrecorded() const {
   constexpr int kEvery_px = 4;
-  if (!subject() || scan_.picture.isEmpty()) return {};
+  if (!subject() || scan_.image.isEmpty()) return {};
   return unrecordedPart(recorded_, fanGeometry(), seen().spans(), scan_.shown.pose, fanGeometry().depth_mm, kEvery_px);
 }
 
-bool Session::seesVolume() const { return !scan_.picture.isEmpty() && seen().seesVolume(picturePose()); }
+bool Session::seesVolume() const { return !scan_.image.isEmpty() && seen().seesVolume(imagePose()); }
 
-void Session::forgetPictures() {
+void Session::forgetImages() {
   scan_.scanner.forget();
   scan_.cine.forget();
   scan_.unsettledFrames = 0;
   frames_.ask();
 }
 
-void Session::setPictureSize(int width, int height) {
+void Session::setImageSize(int width, int height) {
   if (width == scan_.width_px && height == scan_.height_px) return;
   scan_.width_px = width;
   scan_.height_px = height;
@@ -234,10 +234,10 @@ ScanState Session::nextState() {
   return next;
 }
 
-void Session::makePictureNow() {
+void Session::makeImageNow() {
   if (!frames_.takeAsked()) return;
   if (!subject() || !scan_.hasSize()) return;
-  // A frozen picture is still drawn anew for a window of another size or when it is shown otherwise, from the frozen pose and knobs.
+  // A frozen image is still drawn anew for a window of another size or when it is shown otherwise, from the frozen pose and knobs.
   const bool isAsItWas = !std::exchange(scan_.isProcessedAnew, false) && scan_.isOfSize();
   if (scan_.frozen && isAsItWas) return;
   if (scan_.frozen && scan_.cineFrame) return cineLoop_.form();
@@ -258,18 +258,18 @@ void Session::makePictureNow() {
     scan_.unsettledFrames =
         isOwnFrame_ ? std::max<std::size_t>(1, scan_.unsettledFrames) - 1 : framesToSettle(scan_.live.knobs.persistence);
   }
-  scan_.picture = scan_.scanner.make(scan_.shown, scan_.width_px, scan_.height_px);
+  scan_.image = scan_.scanner.make(scan_.shown, scan_.width_px, scan_.height_px);
   scan_.forming.reset();
   scan_.isOfThisScan = !scan_.played && (scan_.isOfThisScan || isLive);
   if (isLive) {
     scan_.live.number = scan_.shown.number;
-    scan_.cine.add(scan_.shown, pictureSize_px(), [this] { return scan_.scanner.memory(); });
+    scan_.cine.add(scan_.shown, imageSize_px(), [this] { return scan_.scanner.memory(); });
   }
   const double end_s = frames_.finish(isLive);
   if (isTracked) probeControl_.measureLatency();
   frames_.keepTimes(scan_.scanner.lastTimes());
   if (wasLost) probeControl_.tellFound(end_s);
-  Q_EMIT pictureChanged();
+  Q_EMIT imageChanged();
   keepComing();
 }
 

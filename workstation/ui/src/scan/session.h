@@ -12,15 +12,15 @@
 #include "scan/patient_breath.h"
 #include "scan/probe_control.h"
 #include "scan/scan_console.h"
-#include "scan/shown_scan.h"
+#include "scan/scan_contents.h"
 
 namespace ew::ui {
 
-/// The scan in the window: a Scanner, where its poses come from, and when the next picture is due. No widgets. Every change asks for a new
-/// picture; changes of one turn of the event loop make one picture. Where the picture changes by
+/// The scan in the window: a Scanner, where its poses come from, and when the next image is due. No widgets. Every change asks for a new
+/// image; changes of one turn of the event loop make one image. Where the image changes by
 /// itself (noise, a persistence that has not settled, M-mode, a lowered quality) frames keep coming while somebody watches, at most about
 /// 28 a second and never more than half of the time, so that the window stays responsive: frames are skipped, not queued.
-/// Its topics are objects of their own, each with its signals; here is what holds them together: the subject, the picture, and what is
+/// Its topics are objects of their own, each with its signals; here is what holds them together: the subject, the image, and what is
 /// shown in place of a live one.
 class Session final : public QObject {
   Q_OBJECT
@@ -48,16 +48,16 @@ class Session final : public QObject {
   enum class Patient { same, another };
   void show(ScanSubject subject, Patient patient = Patient::another);
   void clear(Patient patient = Patient::another);
-  /// Whether what is shown is a draft and may become finer now: not while somebody looks at a picture that stands or is played, or paints.
+  /// Whether what is shown is a draft and may become finer now: not while somebody looks at an image that stands or is played, or paints.
   [[nodiscard]] bool canRefine() const;
   /// The subject of a draft as it was asked for: nothing else changes, neither console nor hand, and what was recorded goes on.
   void refine(ScanSubject better);
   [[nodiscard]] const std::optional<ScanSubject>& subject() const { return scan_.subject(); }
-  /// The picture and all that it is made with change places with those of another session of the same subject: its console, its cine loop
-  /// and who makes it, so that nothing is formed again. Expects that neither runs: frozen, or without a picture; and that none plays.
-  /// Where the probe is, the clock and the breath are not a picture's and stay.
-  void exchangePicture(Session& other);
-  /// The same subject and the same console as another session, and no picture yet.
+  /// The image and all that it is made with change places with those of another session of the same subject: its console, its cine loop
+  /// and who makes it, so that nothing is formed again. Expects that neither runs: frozen, or without an image; and that none plays.
+  /// Where the probe is, the clock and the breath are not an image's and stay.
+  void exchangeImage(Session& other);
+  /// The same subject and the same console as another session, and no image yet.
   void beginLike(const Session& other);
   /// Moves the volume, and its labels with it, to where `ownToWorld` (rigid, mm) takes the grids of their own; ignored without one.
   /// A transform and no grid: whoever moves something cannot give it the grid of something else.
@@ -77,57 +77,57 @@ class Session final : public QObject {
   [[nodiscard]] std::optional<double> contact() const;
   /// Where the subject has data.
   [[nodiscard]] const Recorded& recorded() const { return recorded_; }
-  /// What of the present picture looks at nothing recorded.
-  [[nodiscard]] UnrecordedPart unrecorded() const;
-  /// Whether any part of the fan, as the picture shows it, lies within the volume.
+  /// What of the present image looks at nothing recorded.
+  [[nodiscard]] RecordingGap unrecorded() const;
+  /// Whether any part of the fan, as the image shows it, lies within the volume.
   [[nodiscard]] bool seesVolume() const;
 
   /// Shows a state of a recording in place of the console's and the hand's, which are as they were once it is empty again. Meanwhile
   /// nothing is changed by hand: the console shows what was set when the recording was made.
   void play(std::optional<ScanState> state);
   [[nodiscard]] bool isPlaying() const { return scan_.played.has_value(); }
-  /// Earlier pictures no longer show in later ones.
-  void forgetPictures();
+  /// Earlier images no longer show in later ones.
+  void forgetImages();
 
-  /// Freezing keeps the picture and all that it was made with; the hand may move on. Settings that need new echoes are refused as long as
+  /// Freezing keeps the image and all that it was made with; the hand may move on. Settings that need new echoes are refused as long as
   /// it lasts. How the echoes are shown may be changed (scanning/post_processing.h): that acts on all images of the ring until the scan
   /// runs on, which then has the settings it had.
   void setFrozen(bool frozen);
   [[nodiscard]] bool isFrozen() const { return scan_.frozen.has_value(); }
 
-  /// What the picture is made with: the console's and the hand's of this moment, or the frozen ones.
-  [[nodiscard]] Pose picturePose() const { return scan_.frozen ? scan_.frozen->pose : probeControl_.pose(); }
-  [[nodiscard]] const Knobs& pictureKnobs() const { return scan_.settings().knobs; }
-  [[nodiscard]] const Scene& pictureScene() const { return scan_.settings().scene; }
-  [[nodiscard]] const Probe& pictureProbe() const { return scan_.settings().probe; }
-  /// All that the latest picture was made with; its knobs ask for less than the console where quality is lowered.
+  /// What the image is made with: the console's and the hand's of this moment, or the frozen ones.
+  [[nodiscard]] Pose imagePose() const { return scan_.frozen ? scan_.frozen->pose : probeControl_.pose(); }
+  [[nodiscard]] const Knobs& imageKnobs() const { return scan_.settings().knobs; }
+  [[nodiscard]] const Scene& imageScene() const { return scan_.settings().scene; }
+  [[nodiscard]] const Probe& imageProbe() const { return scan_.settings().probe; }
+  /// All that the latest image was made with; its knobs ask for less than the console where quality is lowered.
   [[nodiscard]] const ScanState& shownState() const { return scan_.shown; }
 
-  /// Size of the picture in device pixels.
-  void setPictureSize(int width, int height);
-  [[nodiscard]] glm::ivec2 pictureSize_px() const { return {scan_.width_px, scan_.height_px}; }
-  /// What is shown: the latest picture, or the wide one in its place. Its views are valid until the next one. Empty before the first.
-  [[nodiscard]] const Picture& picture() const { return scan_.wide ? scan_.wide->picture : scan_.picture; }
+  /// Size of the image in device pixels.
+  void setImageSize(int width, int height);
+  [[nodiscard]] glm::ivec2 imageSize_px() const { return {scan_.width_px, scan_.height_px}; }
+  /// What is shown: the latest image, or the wide one in its place. Its views are valid until the next one. Empty before the first.
+  [[nodiscard]] const DisplayImage& image() const { return scan_.wide ? scan_.wide->image : scan_.image; }
   [[nodiscard]] const DisplayGeometry& geometry() const { return scan_.wide ? scan_.wide->shown.geometry : fanGeometry(); }
   /// What the probe sees, whatever is shown.
-  [[nodiscard]] const Picture& fanPicture() const { return scan_.picture; }
+  [[nodiscard]] const DisplayImage& fanImage() const { return scan_.image; }
   [[nodiscard]] const DisplayGeometry& fanGeometry() const { return seen().geometry(); }
-  /// Who made the present picture: its M-mode strip (width 0 in B-mode), its spans and its plan are there.
+  /// Who made the present image: its M-mode strip (width 0 in B-mode), its spans and its plan are there.
   [[nodiscard]] const Scanner& seen() const { return scan_.seen(); }
-  /// Shown in place of the fan's picture until it is empty again. Points of the image plane are those of the wide picture meanwhile.
+  /// Shown in place of the fan's image until it is empty again. Points of the image plane are those of the wide image meanwhile.
   void showWide(std::optional<WideImage> wide);
   [[nodiscard]] const WideImage* wide() const { return scan_.wide ? &scan_.wide->shown : nullptr; }
   [[nodiscard]] bool changesByItself() const;
 
-  /// Makes the picture now when one is due (tests and the screenshot wait for it).
-  void makePictureNow();
+  /// Makes the image now when one is due (tests and the screenshot wait for it).
+  void makeImageNow();
 
  Q_SIGNALS:
   void subjectChanged();
   void subjectReplaced();  ///< by another one, or by none
   void patientReplaced();  ///< likewise, after subjectReplaced: another examination begins
   void frozenChanged(bool frozen);
-  void pictureChanged();
+  void imageChanged();
 
  private:
   /// Nothing of what was shown is shown any more, and everybody is told.
@@ -135,13 +135,13 @@ class Session final : public QObject {
   void takeLabels(std::shared_ptr<const Volume> labels);
   /// What is shown at this moment, as well as console and hand can say it.
   [[nodiscard]] ScanState stateToFreeze() const;
-  /// Everything the next picture is made with.
+  /// Everything the next image is made with.
   [[nodiscard]] ScanState nextState();
   void keepComing();
-  /// Everybody who shows something of the picture or its console looks again. @param wasFrozen before
-  void tellOfPicture(bool wasFrozen);
+  /// Everybody who shows something of the image or its console looks again. @param wasFrozen before
+  void notifyImageChanged(bool wasFrozen);
 
-  ShownScan scan_;
+  ScanContents scan_;
   FrameTimer frames_{scan_};
   ProbeControl probeControl_{scan_, frames_};
   ScanConsole console_{scan_, frames_, probeControl_};

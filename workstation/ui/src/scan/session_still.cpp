@@ -11,7 +11,7 @@ void Session::setFrozen(bool frozen) {
   if (frozen) {
     frames_.askInFull();
     isFreezing_ = true;
-    makePictureNow();
+    makeImageNow();
     isFreezing_ = false;
     scan_.asScanned = stateToFreeze();
     scan_.frozen = scan_.asScanned;
@@ -32,8 +32,8 @@ ScanState Session::stateToFreeze() const {
   const ProbeControl::Mover mover = probeControl_.mover();
   const bool isByHand = mover == ProbeControl::Mover::hand || mover == ProbeControl::Mover::handMeanwhile;
   ScanState kept = scan_.live;
-  // A probe that somebody else moves is where it was in the picture, and after a loss it was there last.
-  kept.pose = isByHand || scan_.picture.isEmpty() ? probeControl_.pose() : scan_.shown.pose;
+  // A probe that somebody else moves is where it was in the image, and after a loss it was there last.
+  kept.pose = isByHand || scan_.image.isEmpty() ? probeControl_.pose() : scan_.shown.pose;
   kept.scene = mover == ProbeControl::Mover::tracker && scan_.isOfThisScan ? scan_.shown.scene : kept.scene;
   kept.gaps_mm = scan_.shown.gaps_mm;
   kept.time_s = scan_.shown.time_s;
@@ -47,7 +47,7 @@ void Session::play(std::optional<ScanState> state) {
   showWide({});
   if (state) setFrozen(false);
   if (state && !scan_.played) scan_.cine.beginAnew();  // what was scanned before a recording is another scan
-  if (!state || !scan_.played) forgetPictures();
+  if (!state || !scan_.played) forgetImages();
   const ScanState before = scan_.console();
   scan_.played = std::move(state);
   if (scan_.played) console_.askForEchoes(scan_.played->scene);
@@ -62,13 +62,13 @@ void Session::showWide(std::optional<WideImage> wide) {
   const Detail before = wasShown ? scan_.wide->shown.detail : Detail{};
   scan_.wide.reset();
   if (wide) {
-    ShownScan::Wide& made = scan_.wide.emplace();
+    ScanContents::Wide& made = scan_.wide.emplace();
     made.shown = std::move(*wide);
-    made.picture.grey = viewOf(std::as_const(made.shown.grey));
+    made.image.grey = viewOf(std::as_const(made.shown.grey));
     scan_.takeWideSettings();
   }
   if (wasShown != scan_.wide.has_value() || !(before == scan_.wide->shown.detail)) Q_EMIT console_.knobsChanged();
-  Q_EMIT pictureChanged();
+  Q_EMIT imageChanged();
 }
 
 }  // namespace ew::ui

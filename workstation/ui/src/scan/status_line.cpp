@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ew/widgets/elided_label.h"
+#include "ew/widgets/ellipsis_label.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
 #include "ew/widgets/look.h"
@@ -42,7 +42,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   position_ = new FigureLabel(QStringLiteral("x -888.8  y -888.8  z -888.8 mm"));
   plan_ = new FigureLabel;
   contact_ = new FigureLabel(tr("contact %1 %").arg(888));
-  edit_ = new ElidedLabel;
+  edit_ = new EllipsisLabel;
   lowered_ = new QLabel;
   position_->setObjectName(QStringLiteral("position"));
   plan_->setObjectName(QStringLiteral("plan"));
@@ -72,7 +72,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   row->addWidget(lowered_);
   row->addWidget(edit_);
   row->addWidget(contact_);
-  note_ = new ElidedLabel;
+  note_ = new EllipsisLabel;
   note_->setObjectName(QStringLiteral("panelNote"));
   setLook(note_, Look::small);
   note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -86,7 +86,7 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
   connect(&session_.console(), &ScanConsole::knobsChanged, this, &StatusLine::showPose);
   connect(&session_.probeControl(), &ProbeControl::trackingChanged, this, &StatusLine::showPose);
   connect(&session_, &Session::subjectChanged, this, &StatusLine::showPose);
-  connect(&session_, &Session::pictureChanged, this, [this] {
+  connect(&session_, &Session::imageChanged, this, [this] {
     if (session_.probeControl().mover() != ProbeControl::Mover::hand) showPose();
     if (!soon_.isActive()) soon_.start();
   });

@@ -15,7 +15,7 @@ class FigureLabel;
 namespace ew::ui {
 
 /// Where the probe is and how well it touches; for authors also what the frame runs and what it costs: the plan's tooltip shows each step,
-/// estimated and measured, and how long pictures took from the hand to the screen's memory.
+/// estimated and measured, and how long images took from the hand to the screen's memory.
 class StatusLine final : public QWidget {
   Q_OBJECT
 

@@ -14,7 +14,7 @@
 namespace ew::ui {
 namespace {
 
-constexpr double kLight = 0.4;       // of a pale picture
+constexpr double kLight = 0.4;       // of a pale image
 constexpr int kBorder_px = 14;       // of the hatching
 constexpr int kMostOfNote_px = 420;  // longer sentences are broken
 
@@ -70,10 +70,10 @@ QColor lossColour(TrackingState state) {
   return scanTheme().quiet;
 }
 
-QImage paled(const QImage& picture) {
-  const QImage grey = picture.convertToFormat(QImage::Format_Grayscale8);
+QImage paled(const QImage& image) {
+  const QImage grey = image.convertToFormat(QImage::Format_Grayscale8);
   QImage pale(grey.size(), QImage::Format_RGB32);
-  pale.setDevicePixelRatio(picture.devicePixelRatio());
+  pale.setDevicePixelRatio(image.devicePixelRatio());
   pale.fill(Qt::black);
   QPainter painter(&pale);
   painter.setOpacity(kLight);

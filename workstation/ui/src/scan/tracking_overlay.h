@@ -12,20 +12,20 @@ class QPainter;
 
 namespace ew::ui {
 
-// What lies over a picture that is none of now, because a tracker has lost the probe. A frozen picture is the user's own doing and keeps
+// What lies over an image that is none of now, because a tracker has lost the probe. A frozen image is the user's own doing and keeps
 // its grey; this one is pale, has a hatched border, and says why, since when and what to do. States differ in colour, icon and word.
 
-/// A colour of its own for each state, on black; none is the one of a frozen picture.
+/// A colour of its own for each state, on black; none is the one of a frozen image.
 [[nodiscard]] QColor lossColour(TrackingState state);
 
-/// The picture without its colours and with little of its light.
-[[nodiscard]] QImage paled(const QImage& picture);
+/// The image without its colours and with little of its light.
+[[nodiscard]] QImage paled(const QImage& image);
 
-/// @param shown where the picture lies: gets the hatched border
+/// @param shown where the image lies: gets the hatched border
 /// @param mayMove whether the hand takes the probe when it moves
 void paintLoss(QPainter& painter, const QRect& shown, const TrackingReport& report, bool mayMove);
 
-/// A line above a picture that is live, where no body mark and no scale covers it.
+/// A line above an image that is live, where no body mark and no scale covers it.
 /// @param iconName of resources/icons
 void paintTrackingNote(QPainter& painter, const QRect& shown, const QString& iconName, const QColor& colour, const QString& words);
 

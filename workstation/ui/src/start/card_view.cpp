@@ -94,7 +94,7 @@ void CardView::paintEvent(QPaintEvent* event) {
       CardLook look;
       look.row = list_.row(row);
       if (look.row != nullptr) {
-        look.picture = list_.picture(*look.row);
+        look.image = list_.image(*look.row);
         look.state = list_.state(*look.row);
       }
       look.isCurrent = hasFocus() && currentIndex().row() == row;

@@ -20,7 +20,7 @@ QFont titleFont() {
   return font;
 }
 
-/// A fan drawn in the accent's tone, for a case without a picture: shape, not data.
+/// A fan drawn in the accent's tone, for a case without an image: shape, not data.
 void paintFan(QPainter& painter, const QRect& box) {
   const Theme theme = scanTheme();
   QPainterPath fan;
@@ -39,18 +39,18 @@ void paintFan(QPainter& painter, const QRect& box) {
   painter.drawPath(fan);
 }
 
-void paintPicture(QPainter& painter, const QRect& box, const QImage* picture) {
+void paintImage(QPainter& painter, const QRect& box, const QImage* image) {
   painter.save();
   QPainterPath rounded;
   rounded.addRoundedRect(QRectF(box), 4, 4);
   painter.setClipPath(rounded);
   painter.fillRect(box, Qt::black);
-  if (picture == nullptr || picture->isNull()) {
+  if (image == nullptr || image->isNull()) {
     paintFan(painter, box);
   } else {
-    const QSize fitted = picture->size().scaled(box.size(), Qt::KeepAspectRatioByExpanding);
+    const QSize fitted = image->size().scaled(box.size(), Qt::KeepAspectRatioByExpanding);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(QRect(box.center() - QPoint(fitted.width() / 2, fitted.height() / 2), fitted), *picture);
+    painter.drawImage(QRect(box.center() - QPoint(fitted.width() / 2, fitted.height() / 2), fitted), *image);
   }
   painter.restore();
 }
@@ -91,7 +91,7 @@ QString factsOf(const CaseRow& row) {
 
 QString lessonsText(const CaseRow& row) { return lessonWords(row.lessons.size()) + QStringLiteral(" \u25be"); }
 
-/// On the picture, which is black in both themes.
+/// On the image, which is black in both themes.
 void paintLessons(QPainter& painter, const QRect& box, const QString& text, bool isUnderMouse) {
   const Theme theme = scanTheme();
   painter.setPen(QPen(isUnderMouse ? theme.accent : theme.line, 1.0));
@@ -126,7 +126,7 @@ QRect lessonsRect(const QRect& box, const CaseRow& row, Qt::LayoutDirection dire
 
 int cardHeight_px() {
   const QFontMetrics title(titleFont()), small(smallFont());
-  return 2 * kCardMargin_px + kCardPicture_px + 8 + kTitleLines * title.lineSpacing() + (2 + kIndicationLines) * small.lineSpacing() + 16;
+  return 2 * kCardMargin_px + kCardImage_px + 8 + kTitleLines * title.lineSpacing() + (2 + kIndicationLines) * small.lineSpacing() + 16;
 }
 
 void paintCard(QPainter& painter, const QRect& box, const CardLook& look) {
@@ -137,11 +137,11 @@ void paintCard(QPainter& painter, const QRect& box, const CardLook& look) {
   painter.setBrush(theme.panel);
   painter.drawRoundedRect(QRectF(box).adjusted(1, 1, -1, -1), 6, 6);
   const QRect inside = box.adjusted(kCardMargin_px, kCardMargin_px, -kCardMargin_px, -kCardMargin_px);
-  paintPicture(painter, QRect(inside.topLeft(), QSize(inside.width(), kCardPicture_px)), look.picture);
+  paintImage(painter, QRect(inside.topLeft(), QSize(inside.width(), kCardImage_px)), look.image);
   if (look.row == nullptr) return painter.restore();
   if (const QRect lessons = lessonsRect(box, *look.row, look.direction); !lessons.isEmpty())
     paintLessons(painter, lessons, lessonsText(*look.row), look.isLessonsUnderMouse);
-  int y = inside.top() + kCardPicture_px + 8;
+  int y = inside.top() + kCardImage_px + 8;
   painter.setFont(titleFont());
   painter.setPen(theme.text);
   y = paintText(painter, QRect(inside.left(), y, inside.width(), 0), kTitleLines, words(look.row->title), look.direction) + 4;

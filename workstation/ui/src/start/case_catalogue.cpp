@@ -13,7 +13,7 @@ namespace {
 constexpr int kPageRows = 32;
 
 /// Lessons passed of all; empty while none was begun.
-std::optional<double> progressOf(const CaseRow& row, const Standings& standings) {
+std::optional<double> progressOf(const CaseRow& row, const LearningProgress& standings) {
   if (row.lessons.empty() || standings.empty()) return std::nullopt;
   int passed = 0;
   bool isBegun = false;
@@ -98,10 +98,10 @@ QVariant CaseCatalogue::data(const QModelIndex& index, int role) const {
   return parts.join(QStringLiteral(", "));
 }
 
-const QImage* CaseCatalogue::picture(const CaseRow& row) const { return pictures_.object(wordsOf(row.folder)); }
+const QImage* CaseCatalogue::image(const CaseRow& row) const { return images_.object(wordsOf(row.folder)); }
 
-void CaseCatalogue::setPicture(const QString& folder, const QImage& picture) {
-  pictures_.insert(folder, new QImage(picture), std::max(1, static_cast<int>(picture.sizeInBytes() >> 10)));
+void CaseCatalogue::setImage(const QString& folder, const QImage& image) {
+  images_.insert(folder, new QImage(image), std::max(1, static_cast<int>(image.sizeInBytes() >> 10)));
   Q_EMIT looksChanged();
 }
 
@@ -110,7 +110,7 @@ void CaseCatalogue::setState(const QString& folder, const State& state) {
   Q_EMIT looksChanged();
 }
 
-void CaseCatalogue::setStandings(std::shared_ptr<const Standings> standings) {
+void CaseCatalogue::setStandings(std::shared_ptr<const LearningProgress> standings) {
   standings_ = std::move(standings);
   pages_.clear();
   Q_EMIT looksChanged();

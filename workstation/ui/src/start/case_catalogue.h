@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ew/library/index.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 
 namespace ew::ui {
 
@@ -46,16 +46,16 @@ class CaseCatalogue final : public QAbstractListModel {
   /// -1 when it is not in the list.
   [[nodiscard]] int rowOf(std::int64_t number) const;
 
-  [[nodiscard]] const QImage* picture(const CaseRow& row) const;
+  [[nodiscard]] const QImage* image(const CaseRow& row) const;
   [[nodiscard]] State state(const CaseRow& row) const { return states_.value(QString::fromStdString(row.folder.string())); }
-  void setPicture(const QString& folder, const QImage& picture);
+  void setImage(const QString& folder, const QImage& image);
   void setState(const QString& folder, const State& state);
   /// How far the person who learns has got with the lessons of the cases; sets `progress` of the rows.
-  void setStandings(std::shared_ptr<const Standings> standings);
-  [[nodiscard]] const Standings& standings() const { return *standings_; }
+  void setStandings(std::shared_ptr<const LearningProgress> standings);
+  [[nodiscard]] const LearningProgress& standings() const { return *standings_; }
 
  Q_SIGNALS:
-  void looksChanged();  ///< a picture or a state
+  void looksChanged();  ///< an image or a state
 
  private:
   LibraryIndex* index_ = nullptr;
@@ -63,9 +63,9 @@ class CaseCatalogue final : public QAbstractListModel {
   std::vector<CaseFound> found_;
   std::vector<Section> sections_;
   mutable QHash<int, std::vector<std::optional<CaseRow>>> pages_;
-  mutable QCache<QString, QImage> pictures_{64 << 10};  // KiB
+  mutable QCache<QString, QImage> images_{64 << 10};  // KiB
   QHash<QString, State> states_;
-  std::shared_ptr<const Standings> standings_ = std::make_shared<const Standings>();
+  std::shared_ptr<const LearningProgress> standings_ = std::make_shared<const LearningProgress>();
 };
 
 /// "First steps" to "Examination" for 1 to 5; empty for others.

@@ -12,7 +12,7 @@
 namespace ew::ui {
 namespace {
 
-const QSize kPicture_px(kCardPictureWidth_px, kCardPictureHeight_px);
+const QSize kImage_px(kCardImageWidth_px, kCardImageHeight_px);
 constexpr int kQuiet = 10;  // a card is no reason to make the scan wait
 
 /// Goes on until the program ends.
@@ -60,18 +60,18 @@ void CaseDetails::readOne(const QString& folder, int round, int epoch) {
   if (isWanted) {
     if (auto opened = loadCase(pathOf(folder))) read->opened = std::move(*opened);
     if (read->opened) {
-      read->picture = keptThumbnail(*read->opened, kPicture_px);
+      read->image = keptThumbnail(*read->opened, kImage_px);
       // A start page is no reason to compute for minutes.
-      if (read->picture.isNull() && caseNeedsPreparation(*read->opened)) {
-        read->picture = broughtThumbnail(*read->opened);
-      } else if (read->picture.isNull()) {
+      if (read->image.isNull() && caseNeedsPreparation(*read->opened)) {
+        read->image = broughtThumbnail(*read->opened);
+      } else if (read->image.isNull()) {
         if (there_.probes.empty())
           if (auto there = beginningsThere()) there_ = std::move(*there);
         const QuietWork quietly(kQuiet);
         UntilTheEnd progress(ends_);
         if (auto contents = readContents(*read->opened, progress)) {
-          read->picture = thumbnailOf(subjectOf(*read->opened, *contents), there_, kPicture_px);
-          keepThumbnail(*read->opened, read->picture);
+          read->image = thumbnailOf(subjectOf(*read->opened, *contents), there_, kImage_px);
+          keepThumbnail(*read->opened, read->image);
         }
       }
     }
@@ -85,7 +85,7 @@ void CaseDetails::take(const Read& read, int epoch) {
   --waiting_;
   if (epoch == epoch_) {
     known_.insert(read.folder, read.opened);
-    if (!read.picture.isNull()) Q_EMIT pictureRead(read.folder, read.picture);
+    if (!read.image.isNull()) Q_EMIT imageRead(read.folder, read.image);
     Q_EMIT caseRead(read.folder);
   }
   if (waiting_ == 0) Q_EMIT rested();

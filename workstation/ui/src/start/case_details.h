@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "ew/library/case.h"
-#include "ew/scanning/first_picture.h"
+#include "ew/scanning/first_image.h"
 #include "ew/widgets/worker.h"
 
 namespace ew::ui {
 
-/// What cards show and no index knows: the picture of a case, and the case itself, whose files say whether it is prepared. Read on a thread
-/// of its own and for the cards in sight alone; pictures that are not kept yet are scanned there.
+/// What cards show and no index knows: the image of a case, and the case itself, whose files say whether it is prepared. Read on a thread
+/// of its own and for the cards in sight alone; images that are not kept yet are scanned there.
 class CaseDetails final : public QObject {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class CaseDetails final : public QObject {
   [[nodiscard]] bool isBusy() const { return waiting_ > 0; }
 
  Q_SIGNALS:
-  void pictureRead(const QString& folder, const QImage& picture);
+  void imageRead(const QString& folder, const QImage& image);
   void caseRead(const QString& folder);
   void rested();
 
@@ -39,7 +39,7 @@ class CaseDetails final : public QObject {
   struct Read {
     QString folder;
     std::optional<Case> opened;
-    QImage picture;
+    QImage image;
   };
   void readOne(const QString& folder, int round, int epoch);
   void take(const Read& read, int epoch);

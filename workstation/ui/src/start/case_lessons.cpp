@@ -30,7 +30,7 @@ QLabel* wrapped(const QString& text, const char* name, bool quiet) {
 
 }  // namespace
 
-CaseLessons::CaseLessons(const CaseRow& row, const Standings& standings, QWidget* parent) : QFrame(parent, Qt::Popup) {
+CaseLessons::CaseLessons(const CaseRow& row, const LearningProgress& standings, QWidget* parent) : QFrame(parent, Qt::Popup) {
   setObjectName(QStringLiteral("overlay"));
   setAttribute(Qt::WA_DeleteOnClose);
   setAccessibleName(tr("Lessons of %1").arg(words(row.title)));

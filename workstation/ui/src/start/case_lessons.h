@@ -3,7 +3,7 @@
 #include <QFrame>
 
 #include "ew/library/index.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 
 namespace ew::ui {
 
@@ -13,7 +13,7 @@ class CaseLessons final : public QFrame {
   Q_OBJECT
 
  public:
-  CaseLessons(const CaseRow& row, const Standings& standings, QWidget* parent);
+  CaseLessons(const CaseRow& row, const LearningProgress& standings, QWidget* parent);
   /// Below `card` where there is room, else above it; on the screen in any case.
   void showAt(const QRect& card_global);
 

@@ -116,7 +116,7 @@ void CourseStrip::show(const Learning::Known& known) {
   setVisible(!stopped_->isHidden() || !course_->isHidden());
 }
 
-void CourseStrip::showStopped(const std::optional<StoppedLesson>& stopped) {
+void CourseStrip::showStopped(const std::optional<ResumableLesson>& stopped) {
   stoppedLesson_ = stopped;
   stopped_->setVisible(stopped.has_value());
   if (!stopped) return;
@@ -125,7 +125,7 @@ void CourseStrip::showStopped(const std::optional<StoppedLesson>& stopped) {
   stoppedGoOn_->setAccessibleName(tr("Go on with %1").arg(title));
 }
 
-void CourseStrip::showCourse(const std::optional<CourseStanding>& course) {
+void CourseStrip::showCourse(const std::optional<CourseProgress>& course) {
   const bool isThere =
       course && std::any_of(course->steps.begin(), course->steps.end(), [](const CourseStep& each) { return each.isThere(); });
   course_->setVisible(isThere);
@@ -151,7 +151,7 @@ void CourseStrip::showCourse(const std::optional<CourseStanding>& course) {
   listLessons(*course);
 }
 
-void CourseStrip::listLessons(const CourseStanding& course) {
+void CourseStrip::listLessons(const CourseProgress& course) {
   while (QLayoutItem* item = lessons_->takeAt(0)) {
     if (item->widget() != nullptr) item->widget()->deleteLater();
     delete item;

@@ -31,13 +31,13 @@ class CourseStrip final : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void showStopped(const std::optional<StoppedLesson>& stopped);
-  void showCourse(const std::optional<CourseStanding>& course);
-  void listLessons(const CourseStanding& course);
+  void showStopped(const std::optional<ResumableLesson>& stopped);
+  void showCourse(const std::optional<CourseProgress>& course);
+  void listLessons(const CourseProgress& course);
   void fitList();
   QWidget* lessonRow(const CourseStep& step, int number, bool isNext);
 
-  std::optional<StoppedLesson> stoppedLesson_;
+  std::optional<ResumableLesson> stoppedLesson_;
   std::optional<CourseStep> next_;
   QWidget* stopped_ = nullptr;
   QLabel* stoppedText_ = nullptr;

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kMostLookedAt = 8;  // of the lessons that were stopped; an older one is hardly gone on with
 
 /// Empty: its case or its lesson is not there any more.
-std::optional<StoppedLesson> stoppedOf(const InterruptedLesson& interrupted, const std::filesystem::path& library,
-                                       const std::string& language) {
+std::optional<ResumableLesson> stoppedOf(const LessonInterruption& interrupted, const std::filesystem::path& library,
+                                         const std::string& language) {
   const auto folder = findCase(interrupted.caseId, library);
   if (!folder) return std::nullopt;
   const auto opened = loadCase(*folder);
@@ -25,8 +25,8 @@ std::optional<StoppedLesson> stoppedOf(const InterruptedLesson& interrupted, con
   if (!lessons) return std::nullopt;
   for (const Lesson& lesson : *lessons) {
     if (lesson.id != interrupted.lessonId || lesson.steps.empty()) continue;
-    return StoppedLesson{*folder, lesson.id, ew::wordsOf(*folder, language).of(lesson.title),
-                         std::min(interrupted.endedSteps + 1, lesson.steps.size()), lesson.steps.size()};
+    return ResumableLesson{*folder, lesson.id, ew::wordsOf(*folder, language).of(lesson.title),
+                           std::min(interrupted.endedSteps + 1, lesson.steps.size()), lesson.steps.size()};
   }
   return std::nullopt;
 }
@@ -34,7 +34,7 @@ std::optional<StoppedLesson> stoppedOf(const InterruptedLesson& interrupted, con
 Learning::Known knownBy(const AttemptList& attempts, const std::filesystem::path& library, const std::string& person,
                         const std::string& language) {
   Learning::Known known;
-  known.standings = Standings(attempts, person, attemptJudgeOf(library));
+  known.standings = LearningProgress(attempts, person, attemptJudgeOf(library));
   if (const auto file = shippedCourseFile()) {
     if (auto course = readCourse(*file))
       known.course = standingIn(std::move(*course), known.standings, library, language);

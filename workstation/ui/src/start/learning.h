@@ -6,13 +6,13 @@
 #include <set>
 #include <string>
 
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/widgets/worker.h"
 
 namespace ew::ui {
 
 /// A lesson that was stopped in the middle, with what is needed to show and to open it.
-struct StoppedLesson {
+struct ResumableLesson {
   std::filesystem::path caseFolder;
   std::string lessonId;
   std::string title;
@@ -26,9 +26,9 @@ class Learning final : public QObject {
 
  public:
   struct Known {
-    Standings standings;
-    std::optional<CourseStanding> course;
-    std::optional<StoppedLesson> stopped;
+    LearningProgress standings;
+    std::optional<CourseProgress> course;
+    std::optional<ResumableLesson> stopped;
   };
 
   explicit Learning(QObject* parent = nullptr);

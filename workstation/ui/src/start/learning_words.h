@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 
 namespace ew::ui {
 

@@ -301,7 +301,7 @@ void StartPage::setOpenCase(const QString& name) {
 
 void StartPage::showRecent(const std::vector<RecentFile>& files) { recent_->show(files); }
 
-void StartPage::setThumbnail(const QString& folder, const QImage& picture) { list_.setPicture(folder, picture); }
+void StartPage::setThumbnail(const QString& folder, const QImage& image) { list_.setImage(folder, image); }
 
 void StartPage::setState(const QString& folder, const QString& state, double fraction) { list_.setState(folder, {state, fraction}); }
 

@@ -46,8 +46,8 @@ class StartPage final : public QWidget {
   void showLearning(std::shared_ptr<const Learning::Known> known);
   /// Says on the case's card how its preparation stands; empty when it is ready. @param fraction 0..1; 0: no bar
   void setState(const QString& folder, const QString& state, double fraction);
-  /// Puts a picture of the case's volume on its card.
-  void setThumbnail(const QString& folder, const QImage& picture);
+  /// Puts an image of the case's volume on its card.
+  void setThumbnail(const QString& folder, const QImage& image);
   void focusSearch();
   /// A button for what begins a case, as long as `action` is there: for authors in the head, for everybody where there is no case yet.
   void addBeginning(QAction* action);

@@ -11,8 +11,8 @@
 #include "ew/core/version.h"
 #include "ew/library/case.h"
 #include "ew/library/case_card.h"
-#include "ew/scanning/first_picture.h"
-#include "ew/widgets/picture_image.h"
+#include "ew/scanning/first_image.h"
+#include "ew/widgets/qt_image.h"
 #include "ew/widgets/words.h"
 
 namespace ew::ui {
@@ -49,11 +49,11 @@ QImage keptThumbnail(const Case& shown, const QSize& size) {
   return kept;
 }
 
-void keepThumbnail(const Case& shown, const QImage& picture) {
-  if (picture.isNull() || !folder().mkpath(QStringLiteral("."))) return;
-  const QString name = fileOf(shown, picture.size());
+void keepThumbnail(const Case& shown, const QImage& image) {
+  if (image.isNull() || !folder().mkpath(QStringLiteral("."))) return;
+  const QString name = fileOf(shown, image.size());
   QSaveFile file(folder().filePath(name));
-  if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit()) return;
+  if (!file.open(QIODevice::WriteOnly) || !image.save(&file, "PNG") || !file.commit()) return;
   for (const QString& old : folder().entryList({stemOf(shown) + QStringLiteral("-*.png")}, QDir::Files)) {
     if (old != name) QFile::remove(folder().filePath(old));
   }
@@ -61,18 +61,18 @@ void keepThumbnail(const Case& shown, const QImage& picture) {
 
 QImage thumbnailOf(const ScanSubject& subject, const Beginnings& there, const QSize& size) {
   Scanner scanner;
-  const auto picture = firstPicture(scanner, subject, there, size.width(), size.height());
-  return picture ? imageOf(*picture).copy() : QImage();
+  const auto image = firstImage(scanner, subject, there, size.width(), size.height());
+  return image ? imageOf(*image).copy() : QImage();
 }
 
 QImage broughtThumbnail(const Case& shown) {
   constexpr qint64 kMost_bytes = 4 << 20;
-  const QSize whole(kCardPictureWidth_px, kCardPictureHeight_px + kCardStripHeight_px);
+  const QSize whole(kCardImageWidth_px, kCardImageHeight_px + kCardStripHeight_px);
   QFile file(wordsOf(shown.folder / kCardName));
   if (file.size() > kMost_bytes || !file.open(QIODevice::ReadOnly)) return {};
   QImageReader reader(&file, "png");
   if (reader.size() != whole) return {};  // before anything is unpacked
-  return reader.read().copy(0, 0, kCardPictureWidth_px, kCardPictureHeight_px);
+  return reader.read().copy(0, 0, kCardImageWidth_px, kCardImageHeight_px);
 }
 
 }  // namespace ew::ui

@@ -14,7 +14,7 @@
 #include <QVariant>
 #include <algorithm>
 
-#include "ew/widgets/elided_label.h"
+#include "ew/widgets/ellipsis_label.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
@@ -49,7 +49,7 @@ QString shownDevice(const QString& device) {
 QPushButton* addFile(QFormLayout& form, const QString& name, const QString& shown, const QString& none, const char* objectName) {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  auto* label = new ElidedLabel;
+  auto* label = new EllipsisLabel;
   label->setText(shown.isEmpty() ? none : shown);
   label->setToolTip(shown);
   auto* choose = new QPushButton(TrackerForm::tr("Choose…"));
@@ -134,7 +134,7 @@ void TrackerForm::addCamera(QFormLayout& form, const CameraSource& source) {
   film->setObjectName(QStringLiteral("trackerChooseFilm"));
   film->setAutoDefault(false);
   form.addRow(QString(), film);
-  auto* sizes = addChoice(form, tr("Size of the picture"), "trackerSize");
+  auto* sizes = addChoice(form, tr("Size of the image"), "trackerSize");
   for (const QSize size : {QSize(640, 480), QSize(1280, 720), QSize(1920, 1080)})
     sizes->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
   const QSize present(source.camera.width, source.camera.height);

@@ -21,7 +21,7 @@
 #include "ew/library/new_case.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "images/picture_buttons.h"
+#include "images/image_buttons.h"
 #include "jobs/saving_dialog.h"
 #include "plugins/host_scan.h"
 #include "scan/zoom/scan_pan.h"
@@ -181,12 +181,12 @@ void MainWindow::makeViews() {
   p.caseInfo = new CaseInfo;
   p.body = new BodyColumn(p.view3d, p.caseInfo);
   p.scanView = new ScanView(p.session);
-  p.pictures = new PictureGrid({p.session, p.calipers, p.annotated, p.bodyMark, p.jobs, *p.scanView});
+  p.imageGrid = new ImageGrid({p.session, p.calipers, p.annotated, p.bodyMark, p.jobs, *p.scanView});
   p.console = new ConsolePanel(p.session);
   holdFixedWidth(*p.console, kConsoleWidth_px);
   p.measurePage = new MeasurePage(p.session, p.calipers, p.worksheets);
   p.console->addPage(p.measurePage, tr("Measure"), tipWithKeys(tr("Calipers, and what they measured (%1)"), "console.nextPage"));
-  p.console->addBelow(new PictureButtons(*p.pictures));
+  p.console->addBelow(new ImageButtons(*p.imageGrid));
   p.replayBar = new ReplayBar(p.session);
   p.status = new StatusLine(p.session);
   p.cineBar = new CineBar(p.session);
@@ -230,7 +230,7 @@ void MainWindow::makeColumns() {
   p.columnSplitter->setChildrenCollapsible(false);
   p.columnSplitter->addWidget(p.panels);
   p.columnSplitter->addWidget(p.body);
-  p.columnSplitter->addWidget(p.pictures);
+  p.columnSplitter->addWidget(p.imageGrid);
   p.stages = new QStackedWidget;
   p.stages->setObjectName(QStringLiteral("stages"));
   p.stages->hide();
@@ -251,7 +251,7 @@ void MainWindow::watchViews() {
   });
   p.cineBar->watch(p.scanView, p.view3d->canvas());  // after the hand: a frozen scan is stepped through, and the probe rests
   new ScanPan(p.session, *p.scanView);               // after the hand: in a zoomed image it takes the drag; the view owns it
-  p.viewColumns = new ViewColumns(*p.columnSplitter, *p.panels, *p.body, *p.pictures, *p.view3d->canvas(), this);
+  p.viewColumns = new ViewColumns(*p.columnSplitter, *p.panels, *p.body, *p.imageGrid, *p.view3d->canvas(), this);
   p.viewColumns->watch(*p.scanView);
   const auto beforePress = std::make_shared<Hold>();  // where the probe was before the last press in a view
   p.viewColumns->onPress = [&p, beforePress] { *beforePress = p.session.probeControl().hold(); };
@@ -264,7 +264,7 @@ void MainWindow::watchViews() {
   new WideLayer(p.session, p.wide, *p.scanView);
   new ZoomOverview(p.session, *p.scanView);
   p.boxZoom = new BoxZoom(p.session, *p.scanView);
-  p.pictures->setMarkView(*p.bodyMarkView);
+  p.imageGrid->setMarkView(*p.bodyMarkView);
   p.sourcePicker = new SourcePicker(p.session, *p.scanView);  // after the hand: it looks at a click first
   p.opener = new Opener(p.session, p.document, p.jobs, *p.messages, *p.view3d, p.hand, this);
   p.host = new WorkstationHost(p.document, p.jobs, p.session, *p.panels, *p.messages, this);
@@ -377,7 +377,7 @@ bool MainWindow::isSettled() const {
   if (p.workspaces->isAtStart()) return !p.library.isRefreshing() && !p.details.isBusy() && !p.learning.isBusy();
   if (p.workspaces->isStaged()) return true;
   if (p.document.current() && p.opener->showsCase() && hasNoVolume(*p.document.current())) return true;
-  return p.session.subject() && !p.session.picture().isEmpty();
+  return p.session.subject() && !p.session.image().isEmpty();
 }
 
 Session& MainWindow::session() { return parts_->session; }
@@ -392,10 +392,10 @@ Recorder& MainWindow::recorder() { return parts_->recorder; }
 WideScan& MainWindow::wideScan() { return parts_->wide; }
 Calipers& MainWindow::calipers() { return parts_->calipers; }
 Worksheets& MainWindow::worksheets() { return parts_->worksheets; }
-StoredExamination& MainWindow::stored() { return parts_->stored; }
-AnnotatedPictures& MainWindow::annotated() { return parts_->annotated; }
-ShownMark& MainWindow::bodyMark() { return parts_->bodyMark; }
-PictureGrid& MainWindow::pictures() { return *parts_->pictures; }
+ExaminationStore& MainWindow::stored() { return parts_->stored; }
+ImageAnnotations& MainWindow::annotated() { return parts_->annotated; }
+ImageBodyMark& MainWindow::bodyMark() { return parts_->bodyMark; }
+ImageGrid& MainWindow::images() { return *parts_->imageGrid; }
 ReplayBar& MainWindow::replayBar() { return *parts_->replayBar; }
 CineBar& MainWindow::cineBar() { return *parts_->cineBar; }
 KeyMap& MainWindow::keys() { return parts_->keys; }

@@ -22,7 +22,7 @@
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "scan/session.h"
-#include "window/frame/guarded_application.h"
+#include "window/frame/safe_application.h"
 #include "window/language.h"
 
 namespace ew::ui {
@@ -30,7 +30,7 @@ namespace {
 
 constexpr int kScreenshotPatience_s = 600;  // a case is prepared on its first start
 
-/// Waits until nothing loads and everything is drawn, saves the picture of the window, and ends the program.
+/// Waits until nothing loads and everything is drawn, saves the image of the window, and ends the program.
 class Screenshot final : public QObject {
  public:
   Screenshot(MainWindow& window, QString file) : window_(window), file_(std::move(file)) {
@@ -47,7 +47,7 @@ class Screenshot final : public QObject {
   }
 
   void look() {
-    // An error ends the wait only when nothing is left that could still be shown: a broken plugin does not stop a picture.
+    // An error ends the wait only when nothing is left that could still be shown: a broken plugin does not stop an image.
     if (window_.messages().isError() && !window_.isSettled() && !window_.jobs().isRunning()) return giveUp(window_.messages().text());
     if (waited_.elapsed() > kScreenshotPatience_s * 1000) {
       return giveUp(MainWindow::tr("The window was not ready within %1 s; try a smaller volume.").arg(kScreenshotPatience_s));
@@ -104,7 +104,7 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
   QSurfaceFormat::setDefaultFormat(format);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-  GuardedApplication app(argc, argv);
+  SafeApplication app(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationName(QStringLiteral("EchoWeave"));
   QApplication::setApplicationVersion(QLatin1String(kVersion));
@@ -141,7 +141,7 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
     } else if (!options.open.empty()) {
       window.open(QString::fromStdString(options.open));
     } else if (isScreenshot) {
-      window.openDefaultCase();  // the same picture whatever was open before
+      window.openDefaultCase();  // the same image whatever was open before
     } else {
       window.openWhereOneWas();
     }

@@ -70,7 +70,7 @@ class ConfidenceScratch {
 
 /// The confidence of many frames of one size, 255 for 1, on several threads; the answer does not depend on how many.
 /// @error as confidenceOfFrame, cancelled
-[[nodiscard]] Result<std::vector<Image<std::uint8_t>>> confidenceOfFrames(std::span<const PosedFrame> frames, const Clip& clip,
+[[nodiscard]] Result<std::vector<Image<std::uint8_t>>> confidenceOfFrames(std::span<const TrackedFrame> frames, const Clip& clip,
                                                                           const ConfidenceOptions& options, int threads,
                                                                           Progress& progress);
 

@@ -16,7 +16,7 @@ enum class FanShape {
 };
 [[nodiscard]] const char* nameOf(FanShape shape);
 
-/// The outline of a scan, in pixels of the picture it lies in; pixel centres at integers, y down.
+/// The outline of a scan, in pixels of the image it lies in; pixel centres at integers, y down.
 struct FanOutline {
   FanShape shape = FanShape::linear;
   std::array<glm::dvec2, 4> corners_px{};  ///< linear: upper left, upper right, lower right, lower left

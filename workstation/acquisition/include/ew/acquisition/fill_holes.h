@@ -17,7 +17,7 @@ struct FillOptions {
 };
 inline constexpr int kMaxFillReach_voxels = 256;  ///< along the axis of the finest spacing
 
-struct FilledVolume {
+struct HoleFillResult {
   Volume volume;
   std::size_t filledVoxels = 0;
 };
@@ -31,7 +31,7 @@ struct FilledVolume {
 /// Cost: words of 64 voxels without a measured one are skipped, so empty space costs next to nothing.
 /// @param volume with coverage (an empty coverage means that everything is measured: nothing to do)
 /// @error badField (reach, or sizes that do not fit the grid), tooLarge (no memory), cancelled
-[[nodiscard]] Result<FilledVolume> fillHoles(Volume volume, const FillOptions& options, Progress& progress);
+[[nodiscard]] Result<HoleFillResult> fillHoles(Volume volume, const FillOptions& options, Progress& progress);
 
 /// Whether a reach can be used on a grid.
 /// @error badField (negative, not finite, more than kMaxFillReach_voxels)

@@ -124,7 +124,7 @@ using KeepPhase = std::function<Result<void>(std::size_t phase, ReconstructResul
 /// at a time: the forecast is that of one reconstruction.
 /// @param framesOfPhases indices into `frames`, each list not empty
 /// @error as reconstruct, and what `keep` returns
-[[nodiscard]] Result<Grid> reconstructPhases(std::span<const PosedFrame> frames, std::span<const std::vector<std::size_t>> framesOfPhases,
+[[nodiscard]] Result<Grid> reconstructPhases(std::span<const TrackedFrame> frames, std::span<const std::vector<std::size_t>> framesOfPhases,
                                              const ReconstructOptions& options, const KeepPhase& keep, Progress& progress);
 
 }  // namespace ew

@@ -15,7 +15,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
-#include "ew/io/kept_share.h"
+#include "ew/io/retention.h"
 #include "ew/io/sequence.h"
 #include "ew/io/sweep.h"
 
@@ -71,7 +71,7 @@ struct ImportPlan {
   ReconstructOptions reconstruct;  ///< as it will be done, after what the device set said
   ConfidenceOptions confidence;    ///< used when reconstruct.compounding is weighted
   std::vector<Message> notes;      ///< what had to be decided, in sentences
-  KeptShare kept = {};             ///< pixels of the clip, frames with a pose
+  Retention kept = {};             ///< pixels of the clip, frames with a pose
   Message smallQuestion = {};      ///< what there is to ask about `kept`, or about sizes that can hardly be meant, before the volume
                                    ///< is made; empty: nothing
   bool acceptsSmall = false;       ///< a person said yes to it; without, importSweep and weighedFrames refuse
@@ -79,7 +79,7 @@ struct ImportPlan {
 };
 
 /// A sweep that has been read and planned, but not yet reconstructed, so that a user can be asked before a huge one.
-struct OpenedSweep {
+struct SweepInput {
   Sequence sequence;  ///< images turned to orientation MF: x towards the marker, y away from the probe
   SweepPoses poses;
   ImportPlan plan;
@@ -91,7 +91,7 @@ struct OpenedSweep {
   std::vector<SequenceFrame> ownFrames = {};   ///< as the file of the images has them, where poses of another were joined; else empty
 };
 
-struct ImportedSweep {
+struct SweepImport {
   ReconstructResult reconstruction;  ///< the volume, its coverage, counts of voxels and pixels, seconds of pasting and filling
   ImportPlan plan;
 };
@@ -110,13 +110,13 @@ struct ImportedSweep {
 ///        unsupported (no images, RF data), lineGeometryOf (scan lines, which are
 ///        converted to images first); badField (an OutputSpacing, interpolation or compounding of the
 ///        device set that cannot be used)
-[[nodiscard]] Result<OpenedSweep> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
+[[nodiscard]] Result<SweepInput> openSweep(const std::filesystem::path& sweep, const SweepImportOptions& options, Progress& progress);
 
 /// Poses, delay, grid and memory of an opened sweep anew, with other options, without reading the file again. After an error `opened` has
 /// its frames and can be planned once more; importSweep needs a plan that succeeded.
 /// @param opened not of scan lines, whose images depend on the calibration: such a sweep is opened again (sectorOfScanLines says so)
 /// @error as openSweep, but for reading
-[[nodiscard]] Result<void> planAgain(OpenedSweep& opened, const SweepImportOptions& options, Progress& progress);
+[[nodiscard]] Result<void> planAgain(SweepInput& opened, const SweepImportOptions& options, Progress& progress);
 
 /// The one answer to how a recording becomes a volume when nobody says: for each choice of `usual` what the device set says (OutputSpacing,
 /// Interpolation, CompoundingMode), else what the frames carry (carriedSpacing_mm), linear and mean; holes as far as usualFillReach_mm.
@@ -124,33 +124,33 @@ struct ImportedSweep {
 /// @param calibration its device set; null: there is none
 /// @param said        what was chosen; returned with the choices of `usual` made
 /// @error badField (an OutputSpacing, interpolation or compounding of the device set that cannot be used, when it is asked for)
-[[nodiscard]] Result<ReconstructOptions> defaultsFor(std::span<const PosedFrame> frames, const DeviceSet* calibration,
+[[nodiscard]] Result<ReconstructOptions> defaultsFor(std::span<const TrackedFrame> frames, const DeviceSet* calibration,
                                                      const SweepDefaults& usual, const ReconstructOptions& said,
                                                      std::vector<Message>& notes);
 
 /// The frames of an opened sweep that have a pose, in order; they look into its pixels.
-[[nodiscard]] std::vector<PosedFrame> posedFrames(const OpenedSweep& opened);
+[[nodiscard]] std::vector<TrackedFrame> posedFrames(const SweepInput& opened);
 
 /// Refuses a sweep about which there is something to ask (ImportPlan::smallQuestion) that nobody said yes to.
 /// @error unsupported, with the context entry "ask": "accept-small"
-[[nodiscard]] Result<void> checkMeant(const OpenedSweep& opened);
+[[nodiscard]] Result<void> checkMeant(const SweepInput& opened);
 
 /// Frames as the plan wants them: with Compounding::weighted each looks into the map of its confidence, which lives beside it. May be
 /// moved, but a copy would look into the maps of the original.
-struct WeighedFrames {
-  std::vector<PosedFrame> frames;
+struct ConfidenceFrames {
+  std::vector<TrackedFrame> frames;
   std::vector<Image<std::uint8_t>> confidence;  ///< one for each frame, or none
 };
 
 /// The frames of posedFrames, weighed by confidence when the plan's compounding is weighted.
 /// @error as confidenceOfFrames and checkMeant
-[[nodiscard]] Result<WeighedFrames> weighedFrames(const OpenedSweep& opened, Progress& progress);
+[[nodiscard]] Result<ConfidenceFrames> weighedFrames(const SweepInput& opened, Progress& progress);
 
 /// Bytes at the peak of an import of the plan's sweep onto `grid` with `options`, as ImportPlan::bytes counts them.
 [[nodiscard]] std::uint64_t importBytes(const ImportPlan& plan, const Grid& grid, const ReconstructOptions& options);
 
 /// Reconstructs an opened sweep. The sweep is given up, so that its frames are freed with it.
 /// @error as reconstruct and weighedFrames; tooLarge when the plan does not fit
-[[nodiscard]] Result<ImportedSweep> importSweep(OpenedSweep opened, Progress& progress);
+[[nodiscard]] Result<SweepImport> importSweep(SweepInput opened, Progress& progress);
 
 }  // namespace ew

@@ -16,7 +16,7 @@ namespace ew {
 /// The poses: a table (.csv, .tsv, .txt, see readPoseTable), else a tracked sequence, whose own images are not used.
 /// @error as readPoseTable and readSequence; noValidPose (a sequence without transforms); unsupported (another ending)
 [[nodiscard]] Result<Sequence> readPoses(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                         const ReadLimits& limits = {});
+                                         const ReaderLimits& limits = {});
 
 /// Refuses poses that lead from Image without scaling, as those of quaternions do, beside a device set that says how large a pixel is: they
 /// come before its calibration, and would make each pixel 1 mm.
@@ -24,13 +24,13 @@ namespace ew {
 /// @error badField
 [[nodiscard]] Result<void> checkPixelsOf(const Sequence& poses, const DeviceSet& device, const std::filesystem::path& name);
 
-/// The images: a sequence, a film, a DICOM cine, a TIFF, a folder of pictures, or a volume, each slice of which is an image. Films and
-/// pictures come upright and with square pixels, grey; a sequence comes as it is, with the poses it may have.
+/// The images: a sequence, a film, a DICOM cine, a TIFF, a folder of images, or a volume, each slice of which is an image. Films and
+/// images come upright and with square pixels, grey; a sequence comes as it is, with the poses it may have.
 /// @param rate_hz      of the images, in place of the times that the file states; a sequence may be without both
 /// @param beforePixels of a sequence, see readSequence
 /// @error as readSequence, readVolume and CineReader; badField (no times and no rate; "ask": "rate"), tooLarge, cancelled
 [[nodiscard]] Result<Sequence> readImages(const std::filesystem::path& file, const std::optional<double>& rate_hz,
-                                          Progress& progress = noProgress(), const ReadLimits& limits = {},
+                                          Progress& progress = noProgress(), const ReaderLimits& limits = {},
                                           const SequenceCheck& beforePixels = {});
 
 /// Times the images evenly from 0 on. @param rate_hz above 0

@@ -10,7 +10,7 @@
 
 namespace ew {
 
-/// Where recorded scan lines lie, and the picture they are meant to become. Names and meaning: io/gating_fields.h.
+/// Where recorded scan lines lie, and the image they are meant to become. Names and meaning: io/gating_fields.h.
 struct LineGeometry {
   bool curvilinear = true;
   double radiusStart_mm = 0.0;  ///< curvilinear: centre of the arc to the face
@@ -32,10 +32,10 @@ struct LineGeometry {
 /// @error badField (a number that is missing or cannot be used, with its name), unsupported (lines to one side only, oblong pixels)
 [[nodiscard]] Result<LineGeometry> lineGeometryOf(const Sequence& sequence, const DeviceSet* device);
 
-/// The part of a converted picture that holds echoes.
+/// The part of a converted image that holds echoes.
 [[nodiscard]] Clip clipOf(const LineGeometry& geometry);
 
-/// Turns scan lines of log-compressed brightness into pictures of orientation MF by bilinear scan conversion; poses and fields are kept.
+/// Turns scan lines of log-compressed brightness into images of orientation MF by bilinear scan conversion; poses and fields are kept.
 /// The same pixels on any number of threads (0: all cores).
 /// @error unsupported (RF or IQ data, images), badField (fewer than 2 lines or samples), tooLarge, cancelled
 [[nodiscard]] Result<Sequence> convertLines(Sequence lines, const LineGeometry& geometry, int threads, Progress& progress,

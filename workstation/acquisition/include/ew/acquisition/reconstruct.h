@@ -58,7 +58,7 @@ struct ReconstructOptions {
 };
 
 /// One frame of a sweep with its way into the world: (height x width) pixels.
-struct PosedFrame {
+struct TrackedFrame {
   ImageView<const std::uint8_t> pixels;
   Transform<frame::World, frame::Image> imageToWorld;  ///< affine, mm per pixel included
   ImageView<const std::uint8_t> weights = {};          ///< as large as `pixels`, 0 to 255 for 0 to 1: confidence; no data: all are 1
@@ -89,20 +89,20 @@ struct ReconstructResult {
 /// Frames are of one size; their matrices may be mirrored, oblique or sheared.
 /// @error noValidPose (no frames), tooLarge (with the forecast), badField (spacing, threads, reach, clip outside the frame, frames of
 ///        different sizes, weights of another size, a matrix that is not affine, not finite or maps the image onto a line or point)
-[[nodiscard]] Result<Grid> gridFor(std::span<const PosedFrame> frames, const ReconstructOptions& options);
+[[nodiscard]] Result<Grid> gridFor(std::span<const TrackedFrame> frames, const ReconstructOptions& options);
 
 /// Pastes every clipped pixel of every frame into the volume, compounds, fills holes of bounded reach and says per voxel which is which.
 /// Pixel positions are stepped along a row with 40 bits after the point: after 10^5 pixels they are off by less than 1e-7 voxel.
 /// Sums are exact for nearest (64 bit integers) and of doubles for linear, each rounded once at the end. The volume is worked on in bricks,
 /// each by one thread in the order of frames, rows and columns, so the voxels are the same however many threads there are.
 /// @error as gridFor, cancelled; tooLarge also when 2^28 pixels or more fall into one voxel
-[[nodiscard]] Result<ReconstructResult> reconstruct(std::span<const PosedFrame> frames, const ReconstructOptions& options,
+[[nodiscard]] Result<ReconstructResult> reconstruct(std::span<const TrackedFrame> frames, const ReconstructOptions& options,
                                                     Progress& progress);
 
 /// As reconstruct, onto a grid that the caller chose, so that volumes of several sets of frames can be compared voxel by voxel.
 /// @param grid as gridFor gives it for these frames or for a set that contains them
 /// @error as reconstruct; badField (a grid that is oblique, is not of options.spacing_mm, or does not hold every clipped pixel)
-[[nodiscard]] Result<ReconstructResult> reconstructOnto(const Grid& grid, std::span<const PosedFrame> frames,
+[[nodiscard]] Result<ReconstructResult> reconstructOnto(const Grid& grid, std::span<const TrackedFrame> frames,
                                                         const ReconstructOptions& options, Progress& progress);
 
 /// A point as one frame sees it.
@@ -124,6 +124,6 @@ struct SourceFrame {
 /// The source of the voxel nearest to a point, as a click in the volume asks for it; nothing outside the grid and for absent voxels.
 /// @param source as ReconstructResult::source, voxelCount() values
 [[nodiscard]] std::optional<SourceFrame> sourceFrameAt(const Grid& grid, std::span<const std::uint16_t> source,
-                                                       std::span<const PosedFrame> frames, const Point<frame::World>& at);
+                                                       std::span<const TrackedFrame> frames, const Point<frame::World>& at);
 
 }  // namespace ew

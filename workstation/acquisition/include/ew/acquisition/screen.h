@@ -72,7 +72,7 @@ struct DepthTicks {
   bool operator==(const DepthTicks&) const = default;
 };
 
-struct FoundScreen {
+struct ScreenAnalysis {
   int width_px = 0;
   int height_px = 0;
   int frames = 0;                          ///< different ones that were looked at
@@ -80,8 +80,8 @@ struct FoundScreen {
   double quality = 0.0;  ///< 0..1: how much of the outline is borne out by edges, times how much of what moves lies inside
   std::optional<DepthTicks> ticks = {};
   std::vector<ScreenPart> parts = {};
-  std::vector<StatedScale> scales = {};  ///< that the recording itself states (CineInfo)
-  std::vector<Message> notes = {};       ///< what was not found, or found with doubt
+  std::vector<PixelScale> scales = {};  ///< that the recording itself states (CineInfo)
+  std::vector<Message> notes = {};      ///< what was not found, or found with doubt
 };
 
 /// Below this quality the outline counts as not found.
@@ -89,16 +89,16 @@ inline constexpr double kLeastQuality = 0.4;
 /// Below this one it is given with a note of doubt: recorded and made screens whose outline was right had 0.93 and more.
 inline constexpr double kSureQuality = 0.9;
 
-/// Finds everything. The outline: what changes from frame to frame (or, of one still picture, what is bright) is cleaned by morphology;
+/// Finds everything. The outline: what changes from frame to frame (or, of one still image, what is bright) is cleaned by morphology;
 /// candidates of two straight sides come from a seeded random sample of its silhouette; outline points are then measured along the normals
 /// (best step between two levels) and fitted together by least squares with Tukey's weights: sides through one apex with concentric arcs,
 /// or four lines. Source of the weights: Beaton & Tukey, Technometrics 16, 1974. The best of several thresholds wins.
 /// @param outline one that is known: then it is not looked for, quality is 1
-[[nodiscard]] FoundScreen findScreen(const ScreenStatistics& statistics, const std::optional<FanOutline>& outline = {});
+[[nodiscard]] ScreenAnalysis findScreen(const ScreenStatistics& statistics, const std::optional<FanOutline>& outline = {});
 
 /// What a person said about a found screen. Empty: nothing.
 struct ScreenCorrection {
-  Orientation turned = {};                 ///< of the pictures, on top of what the file says; all pixels below are of turned pictures
+  Orientation turned = {};                 ///< of the images, on top of what the file says; all pixels below are of turned images
   std::optional<FanOutline> outline = {};  ///< replaces the found one
   std::optional<double> depth_mm = {};     ///< along the beams, from near to far edge
   std::optional<double> tick_mm = {};      ///< between neighbouring ticks
@@ -119,13 +119,13 @@ struct ScreenGeometry {
 };
 
 /// @error badField (a depth or an outline that cannot be, ticks stated where none were found)
-[[nodiscard]] Result<ScreenGeometry> corrected(const FoundScreen& found, const ScreenCorrection& correction);
+[[nodiscard]] Result<ScreenGeometry> corrected(const ScreenAnalysis& found, const ScreenCorrection& correction);
 
 /// A screen's geometry as a file: what was found (for people and other programs) and the correction (which is read back). Pixels are those
 /// of the recording. The file lies beside the cleaned recording, "liver.screen.json" beside "liver.igs.mha".
 [[nodiscard]] std::filesystem::path screenFileBeside(const std::filesystem::path& recording);
 /// @error notWritable
-[[nodiscard]] Result<void> writeScreen(const FoundScreen& found, const ScreenCorrection& correction, const std::filesystem::path& file);
+[[nodiscard]] Result<void> writeScreen(const ScreenAnalysis& found, const ScreenCorrection& correction, const std::filesystem::path& file);
 /// The correction of such a file, or of one that has nothing else. An outline that was found and is not corrected is not in it.
 /// @error notFound, notReadable, badHeader, badField, newerFormat
 [[nodiscard]] Result<ScreenCorrection> readScreenCorrection(const std::filesystem::path& file);
@@ -137,21 +137,21 @@ enum class TextFill { neighbours, black };
 
 struct CleaningOptions {
   TextFill fill = TextFill::neighbours;
-  bool keepOutside = false;   ///< leave what lies outside the outline, boxes of text excepted, and the whole picture
-  bool acceptsSmall = false;  ///< stored also when less than a tenth of the pixels or of the frames is kept (KeptShare)
+  bool keepOutside = false;   ///< leave what lies outside the outline, boxes of text excepted, and the whole image
+  bool acceptsSmall = false;  ///< stored also when less than a tenth of the pixels or of the frames is kept (Retention)
 };
 
-/// Makes pictures clean: prepared once for a geometry, then frame after frame without allocation.
+/// Makes images clean: prepared once for a geometry, then frame after frame without allocation.
 class ScreenCleaner {
  public:
   /// @param geometry with an outline, unless the outside is kept
   ScreenCleaner(const ScreenGeometry& geometry, const CleaningOptions& options);
-  /// What is kept of each picture.
+  /// What is kept of each image.
   [[nodiscard]] const PixelRect& kept() const { return kept_; }
   [[nodiscard]] std::size_t pixelsInside() const { return inside_; }
   [[nodiscard]] std::size_t pixelsFilled() const { return filled_; }  ///< under boxes of text, inside
-  /// The kept part of a picture, without what is no scan. @param clean becomes kept() in size
-  void clean(const GreyImage& picture, GreyImage& clean) const;
+  /// The kept part of an image, without what is no scan. @param clean becomes kept() in size
+  void clean(const GreyImage& image, GreyImage& clean) const;
 
  private:
   struct Fill {
@@ -160,7 +160,7 @@ class ScreenCleaner {
     float weight[4] = {};
   };
   PixelRect kept_;
-  GreyImage mask_;  ///< of the kept part: 1 where the picture is taken
+  GreyImage mask_;  ///< of the kept part: 1 where the image is taken
   std::vector<Fill> fills_;
   std::size_t inside_ = 0, filled_ = 0;
 };

@@ -22,22 +22,22 @@ enum class OutlineGrip {
   whole  ///< moves everything
 };
 
-struct PlacedGrip {
+struct GripPosition {
   OutlineGrip grip = OutlineGrip::whole;
   glm::dvec2 at_px{0.0};
 };
 /// Apex, sides and edges of a fan; corners, sides and edges of straight sides; the middle of both.
-[[nodiscard]] std::vector<PlacedGrip> gripsOf(const FanOutline& outline);
+[[nodiscard]] std::vector<GripPosition> gripsOf(const FanOutline& outline);
 
 /// The outline with a grip put elsewhere. The apex moves under what it is the apex of: the far corners and the middle of the near edge stay
 /// where they are, as well as one radius for both corners allows. A side turns about the apex, an edge keeps it as its centre. Straight
 /// sides and edges move without turning. A fan keeps sides that do not cross, and a far edge beyond the near one.
 [[nodiscard]] FanOutline withGripAt(const FanOutline& outline, OutlineGrip grip, glm::dvec2 to_px);
 
-/// An outline of a shape that fills about the same part of the picture: to begin with. A sector is asked for as convex: the near edge
+/// An outline of a shape that fills about the same part of the image: to begin with. A sector is asked for as convex: the near edge
 /// decides which of both it is.
 [[nodiscard]] FanOutline withShape(const FanOutline& outline, FanShape shape);
-/// The same where none was found: most of the picture.
+/// The same where none was found: most of the image.
 [[nodiscard]] FanOutline outlineToBeginWith(FanShape shape, int width_px, int height_px);
 
 /// A box of text as a person sees it.
@@ -52,9 +52,9 @@ struct TextBox {
 /// What was found in a recording and what a person says about it, step by step. Not for several threads.
 class ScreenEdit {
  public:
-  explicit ScreenEdit(FoundScreen found) : found_(std::move(found)) {}
+  explicit ScreenEdit(ScreenAnalysis found) : found_(std::move(found)) {}
 
-  [[nodiscard]] const FoundScreen& found() const { return found_; }
+  [[nodiscard]] const ScreenAnalysis& found() const { return found_; }
   /// As writeScreen() and corrected() take it.
   [[nodiscard]] const ScreenCorrection& correction() const { return correction_; }
   /// @error as corrected()
@@ -70,16 +70,16 @@ class ScreenEdit {
   /// The smallest box there: a found one counts, or does not any more; an added one goes. False: there is none.
   bool toggleBoxAt(glm::dvec2 p_px);
 
-  /// How the pictures lie; what was said of outline and boxes, in pixels that lie elsewhere now, goes. True: there was something.
+  /// How the images lie; what was said of outline and boxes, in pixels that lie elsewhere now, goes. True: there was something.
   bool setTurned(const Orientation& turned);
 
   /// What was found anew, in another look at the same recording: what the person said stays.
-  void lookedAgain(FoundScreen found) { found_ = std::move(found); }
+  void lookedAgain(ScreenAnalysis found) { found_ = std::move(found); }
   /// What the person said of outline and boxes goes; depth and ticks stay, which nobody can find.
   void backToFound();
 
  private:
-  FoundScreen found_;
+  ScreenAnalysis found_;
   ScreenCorrection correction_;
 };
 

@@ -35,8 +35,7 @@ struct SweepVolumeOptions {
 
 /// Opens a sweep to be made into a volume as defaultsFor (import.h) says.
 /// @error as openSweep; a volume over maxBytes, or of too little, is not an error here
-[[nodiscard]] Result<OpenedSweep> openSweepVolume(const std::filesystem::path& sweep, const SweepVolumeOptions& options,
-                                                  Progress& progress);
+[[nodiscard]] Result<SweepInput> openSweepVolume(const std::filesystem::path& sweep, const SweepVolumeOptions& options, Progress& progress);
 
 /// Memory at the peak of makeSweepVolume: the maps of all frames, and while they are pasted the finished volume.
 [[nodiscard]] std::uint64_t sweepVolumeBytes(const ImportPlan& plan);
@@ -45,6 +44,6 @@ struct SweepVolumeOptions {
 /// not depend on the number of threads.
 /// @error as reconstructOnto and confidenceOfFrames; those of checkMeant; tooLarge
 /// (sweepVolumeBytes above the plan's maxBytes); cancelled
-[[nodiscard]] Result<SweepVolume> makeSweepVolume(const OpenedSweep& opened, Progress& progress);
+[[nodiscard]] Result<SweepVolume> makeSweepVolume(const SweepInput& opened, Progress& progress);
 
 }  // namespace ew

@@ -13,7 +13,7 @@
 
 namespace ew::annotation {
 
-/// What a person writes on a picture.
+/// What a person writes on an image.
 enum class AnnotationKind {
   text,   ///< words, their left end in the middle of their height at `at_mm`
   arrow,  ///< from `tail_mm` to its tip at `at_mm`
@@ -24,8 +24,8 @@ inline constexpr std::size_t kLongestText = 200;  ///< bytes
 inline constexpr std::size_t kMostAnnotations = 500;
 inline constexpr double kShortestArrow_mm = 0.5;  ///< a shorter one was no drag
 
-/// One text or arrow. Places lie in the plane of the picture, as those of calipers do: mm of the probe frame, x lateral, y depth. Thus it
-/// stays at its tissue whatever the size, zoom and orientation of the picture.
+/// One text or arrow. Places lie in the plane of the image, as those of calipers do: mm of the probe frame, x lateral, y depth. Thus it
+/// stays at its tissue whatever the size, zoom and orientation of the image.
 struct Annotation {
   int number = 0;  ///< 1, 2, ...; never given again in one list
   AnnotationKind kind = AnnotationKind::text;
@@ -35,7 +35,7 @@ struct Annotation {
   bool operator==(const Annotation&) const = default;
 };
 
-/// All annotations of a picture at one moment: a value that never changes.
+/// All annotations of an image at one moment: a value that never changes.
 struct Annotations {
   std::vector<Annotation> all;  ///< in the order they were made
   int nextNumber = 1;
@@ -50,7 +50,7 @@ enum class AnnotationPart {
   tail,
 };
 
-/// The annotations of a picture with undo and redo. Not for several threads at once; the states are.
+/// The annotations of an image with undo and redo. Not for several threads at once; the states are.
 class AnnotationList : public EntryHistory<Annotations> {
  public:
   using EntryHistory::EntryHistory;
@@ -74,10 +74,10 @@ struct AnnotationFound {
   AnnotationPart part = AnnotationPart::whole;
   double distance_mm = 0.0;
 };
-/// How wide and high a text is drawn, mm of the picture's plane: whoever draws it knows.
+/// How wide and high a text is drawn, mm of the image's plane: whoever draws it knows.
 struct TextSize {
   glm::dvec2 size_mm{0.0};
-  double alongX = 1.0;  ///< +1: it is written towards +x of the plane; -1: the picture shows +x at its left
+  double alongX = 1.0;  ///< +1: it is written towards +x of the plane; -1: the image shows +x at its left
 };
 using TextSizeOf = std::function<TextSize(const Annotation& text)>;
 /// The annotation nearest to `p_mm` within reach: of two at the same distance the newer one, which is drawn on top; an end of an arrow
@@ -85,12 +85,12 @@ using TextSizeOf = std::function<TextSize(const Annotation& text)>;
 [[nodiscard]] std::optional<AnnotationFound> annotationNear(const Annotations& annotations, glm::dvec2 p_mm, double reach_mm,
                                                             const TextSizeOf& sizeOf);
 
-/// Where texts begin that nobody has put anywhere: a share of the picture's width and height from its upper left corner, whatever it shows.
+/// Where texts begin that nobody has put anywhere: a share of the image's width and height from its upper left corner, whatever it shows.
 struct HomePosition {
   glm::dvec2 share{0.04, 0.08};
   bool operator==(const HomePosition&) const = default;
 };
-/// The nearest place within the picture; the usual one for what is not a number.
+/// The nearest place within the image; the usual one for what is not a number.
 [[nodiscard]] HomePosition limited(const HomePosition& home);
 
 }  // namespace ew::annotation

@@ -82,12 +82,12 @@ inline constexpr double kFarSide = -0.35;  ///< facing() from which on a probe c
 [[nodiscard]] std::optional<ProbeGlyph> glyphFor(const BodyMark& mark, const Transform<frame::World, frame::Probe>& probeToWorld);
 
 /// Whose marks are offered.
-struct MarkedBody {
+struct MarkSubject {
   std::string region;     ///< of the case; empty: not known
   std::string mannequin;  ///< file name without ending; empty: not known
 };
 /// Those whose region and mannequin it is, in their order; all of that mannequin when it has none of that region.
-[[nodiscard]] std::vector<const BodyMark*> marksFor(const std::vector<BodyMark>& marks, const MarkedBody& body);
+[[nodiscard]] std::vector<const BodyMark*> marksFor(const std::vector<BodyMark>& marks, const MarkSubject& body);
 
 /// The mark that shows the probe best: the one it faces most squarely, of two from the same side the one that shows less of the body. The
 /// present one stays until another is clearly better, so that nothing flickers on the outline. Where none shows the probe, the present one
@@ -96,7 +96,7 @@ struct MarkedBody {
 [[nodiscard]] const BodyMark* markFor(const std::vector<const BodyMark*>& offered,
                                       const Transform<frame::World, frame::Probe>& probeToWorld, std::string_view present = {});
 
-/// How a person wants the mark of a picture: kept with it.
+/// How a person wants the mark of an image: kept with it.
 struct MarkChoice {
   bool isShown = true;
   std::string mark;                  ///< id; empty: as markFor says

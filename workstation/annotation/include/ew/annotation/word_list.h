@@ -14,7 +14,7 @@ namespace ew::annotation {
 
 inline constexpr int kWordListFormat = 1;  ///< `format` of a word list; a file with a larger one is refused with newerFormat
 
-/// What a console offers to be put on a picture: "RT KIDNEY", as people write it there, in capitals.
+/// What a console offers to be put on an image: "RT KIDNEY", as people write it there, in capitals.
 struct Term {
   Words text;
   Words meaning;  ///< of an abbreviation: "longitudinal"; empty: the text says it
@@ -48,7 +48,7 @@ struct WordList {
 /// The list of that id, or else of that region of a case; null when there is none.
 [[nodiscard]] const WordList* wordListOf(const std::vector<WordList>& lists, std::string_view region);
 
-/// What may be written on a picture, each once: the words of its list, then those that go with every list; without a list of its own the
+/// What may be written on an image, each once: the words of its list, then those that go with every list; without a list of its own the
 /// words of all lists.
 /// @param region of the case, or the id of a list
 /// @param language "de" or "de_DE": German; else English

@@ -12,7 +12,7 @@
 #include "ew/assessment/attempt_score.h"
 #include "ew/library/attempt.h"
 #include "ew/library/case.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/library/lesson.h"
 
 namespace ew {
@@ -55,7 +55,7 @@ struct AttemptResult {
 [[nodiscard]] AttemptResult attemptResultOf(const Attempt& attempt, const Lesson* lesson, const AssessmentPlan& plan,
                                             std::optional<AttemptScore> kept);
 
-/// For Standings: what trainees read of their attempts is what instructors read of them. Lessons and plans are read once.
+/// For LearningProgress: what trainees read of their attempts is what instructors read of them. Lessons and plans are read once.
 [[nodiscard]] AttemptJudge attemptJudgeOf(const std::filesystem::path& library);
 
 /// The score of the whole attempt and whether it is passed, of its steps: the weighted mean, or the plain one where no step weighs
@@ -63,15 +63,15 @@ struct AttemptResult {
 void concludeLesson(const AssessmentPlan& plan, bool isFinished, AttemptScore& score);
 
 /// A lesson with the case that holds it, as it was when it was tried where the library still has that.
-struct TriedLesson {
+struct AttemptLesson {
   Case home;
   Lesson lesson;
   bool isAsTried = true;  ///< false: it has changed since, and this is how it is now
 };
 /// @param content of the lesson (Attempt::lessonContent); empty: as it is now
 /// @error notFound (case, lesson), as loadCase
-[[nodiscard]] Result<TriedLesson> triedLessonOf(const std::string& caseId, const std::string& lessonId, const std::string& content,
-                                                const std::filesystem::path& library);
+[[nodiscard]] Result<AttemptLesson> triedLessonOf(const std::string& caseId, const std::string& lessonId, const std::string& content,
+                                                  const std::filesystem::path& library);
 
 /// Results of the attempts of a library. Lessons and plans are read once, for an attempt at a lesson seldom comes alone. For one thread.
 class AttemptResults {
@@ -80,14 +80,14 @@ class AttemptResults {
   /// By the plan of revision 0 where planOf has none. @param folder of the attempt
   [[nodiscard]] AttemptResult of(const std::filesystem::path& folder, const Attempt& attempt);
   /// The lesson as the library has it; null: not at all.
-  [[nodiscard]] const TriedLesson* lessonOf(const Attempt& attempt);
+  [[nodiscard]] const AttemptLesson* lessonOf(const Attempt& attempt);
   /// The plan that counts; one of revision 0 where there is none. @error as readPlan
   [[nodiscard]] const Result<AssessmentPlan>& planOf(const Attempt& attempt);
 
  private:
   std::filesystem::path library_;
-  std::map<std::tuple<std::string, std::string, std::string>, std::shared_ptr<const TriedLesson>> lessons_;  ///< by case, id and content
-  std::map<std::pair<std::string, std::string>, Result<AssessmentPlan>> plans_;                              ///< by case and lesson
+  std::map<std::tuple<std::string, std::string, std::string>, std::shared_ptr<const AttemptLesson>> lessons_;  ///< by case, id and content
+  std::map<std::pair<std::string, std::string>, Result<AssessmentPlan>> plans_;                                ///< by case and lesson
 };
 
 }  // namespace ew

@@ -52,7 +52,7 @@ struct AssessOptions {
   bool again = false;  ///< also those whose score is up to date: a new one is kept only where it differs
 };
 
-struct AssessedAttempt {
+struct AttemptAssessment {
   std::filesystem::path folder;
   Attempt attempt;
   std::optional<AttemptScore> score;  ///< the one that counts now
@@ -65,7 +65,7 @@ struct AssessedAttempt {
 /// are threads, and the labels of the cases.
 /// @param folders of attempts
 /// @return one entry for each folder, in their order; when cancelled, those not reached have the problem `cancelled`
-[[nodiscard]] std::vector<AssessedAttempt> assess(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& library,
-                                                  const AssessOptions& options = {}, Progress& progress = noProgress());
+[[nodiscard]] std::vector<AttemptAssessment> assess(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& library,
+                                                    const AssessOptions& options = {}, Progress& progress = noProgress());
 
 }  // namespace ew

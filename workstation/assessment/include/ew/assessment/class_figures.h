@@ -19,7 +19,7 @@ namespace ew {
 
 /// What everybody who rated an attempt says of whoever made it, where all of them say the same: of finished ratings whose forms have a pass
 /// level and whose raters saw no others' ratings. unknown: nobody says anything, or they differ.
-[[nodiscard]] Standing standingBy(const KeptRatings& ratings);
+[[nodiscard]] Standing standingBy(const RatingRecords& ratings);
 
 /// An attempt of a class.
 struct ClassAttempt {

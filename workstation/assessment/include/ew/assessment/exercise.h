@@ -49,7 +49,7 @@ struct ExerciseGround {
   std::shared_ptr<const Skin> skin;
   ScannableRegion region;
   Probe probe;
-  double depth_mm = 0.0;                 ///< of the picture; 0: the probe's default
+  double depth_mm = 0.0;                 ///< of the image; 0: the probe's default
   std::shared_ptr<const Volume> labels;  ///< null: no organs are pointed at
   [[nodiscard]] Fan fan() const { return {probe, depth_mm > 0.0 ? depth_mm : probe.defaultDepth_mm}; }
 };
@@ -57,7 +57,7 @@ struct ExerciseGround {
 inline constexpr int kExerciseLevels = 5;
 /// From calipers that a hand sets half a millimetre beside: below, a measurement is luck.
 inline constexpr double kFinestTolerance_mm = 1.0;
-/// Of random clicks in pictures from random poses: an organ that more of them hit is not asked for.
+/// Of random clicks in images from random poses: an organ that more of them hit is not asked for.
 inline constexpr double kMostByChance = 0.03;
 
 /// How hard a level is. 1: all aids, loose, near; 5: none, strict, far, and against the clock.
@@ -72,24 +72,24 @@ struct ExerciseDifficulty {
 [[nodiscard]] ExerciseDifficulty difficultyOf(int level);
 
 /// All exercises that a case gives, in the order of its targets: those that can be solved and not by chance. Planes have to be reachable
-/// from the skin. Organs have to come into a picture somewhere, be away from it somewhere else, and fill at most kMostByChance of the
-/// pictures of random hands. Measurements have to have points that calipers can be set to, a tolerance of at least kFinestTolerance_mm,
+/// from the skin. Organs have to come into an image somewhere, be away from it somewhere else, and fill at most kMostByChance of the
+/// images of random hands. Measurements have to have points that calipers can be set to, a tolerance of at least kFinestTolerance_mm,
 /// and a reading at those points within half of it.
 /// @param edited the case of the truth, for its id and for what reveals a finding
 /// @param seed of the random hands; the same list for the same seed
 [[nodiscard]] ExerciseList exercisesOf(const Case& edited, const ExerciseGround& ground, std::uint64_t seed = 1);
 
 /// Parts of `ground` by an exercise's target. @return null when the case does not know it any more
-[[nodiscard]] const ExpectedPlane* planeOf(const Exercise& exercise, const CaseTruth& truth);
-[[nodiscard]] const ExpectedStructure* structureOf(const Exercise& exercise, const CaseTruth& truth);
-[[nodiscard]] const ExpectedMeasurement* measurementOf(const Exercise& exercise, const CaseTruth& truth);
+[[nodiscard]] const ReferencePlane* planeOf(const Exercise& exercise, const CaseTruth& truth);
+[[nodiscard]] const ReferenceStructure* structureOf(const Exercise& exercise, const CaseTruth& truth);
+[[nodiscard]] const ReferenceMeasurement* measurementOf(const Exercise& exercise, const CaseTruth& truth);
 
-/// Where a trainee begins: on skin that can be scanned, never with the plane nearly found nor the organ in the picture. Measurements of a
+/// Where a trainee begins: on skin that can be scanned, never with the plane nearly found nor the organ in the image. Measurements of a
 /// plane begin near it on levels 1 and 2.
 /// @return nothing when 300 tries met no such place, or the target is not known
 [[nodiscard]] std::optional<Hold> startOf(const Exercise& exercise, const ExerciseGround& ground, int level, std::uint64_t seed);
 
-/// Where an organ is seen well: of many holds that aim at its middle, the one with its largest section in the picture.
+/// Where an organ is seen well: of many holds that aim at its middle, the one with its largest section in the image.
 /// @return nothing when it comes into none
 [[nodiscard]] std::optional<Hold> viewOfOrgan(const ExerciseGround& ground, int label, std::uint64_t seed = 1);
 

@@ -36,7 +36,7 @@ inline constexpr double kPassScore = 0.7;
 [[nodiscard]] StepResult judgePointing(const OrganVoxels& organ, const glm::dvec3& clicked_world_mm, double margin_mm);
 
 /// A click on a point.
-[[nodiscard]] StepResult judgePointing(const ExpectedPoint& point, const glm::dvec3& clicked_world_mm);
+[[nodiscard]] StepResult judgePointing(const ReferencePoint& point, const glm::dvec3& clicked_world_mm);
 
 /// A sweep through an organ. @param share of its voxels (OrganCoverage); @param needed of them, above 0 to 1
 [[nodiscard]] StepResult judgeSweep(double share, double needed);
@@ -53,10 +53,10 @@ inline constexpr double kPassScore = 0.7;
 /// a distance may be set in either order; of other measurements the middle of the points is compared. Places are not looked at where the
 /// measurement expects no points or `points_mm` is empty.
 /// @param value in the measurement's unit; @param points_mm in the world; @param tolerance in the unit, > 0
-[[nodiscard]] StepResult judgeMeasurement(const ExpectedMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm,
+[[nodiscard]] StepResult judgeMeasurement(const ReferenceMeasurement& expected, double value, const std::vector<glm::dvec3>& points_mm,
                                           double tolerance);
 
 /// The tolerance of a measurement: the case's, or a tenth of its value and no less than 2 of its unit.
-[[nodiscard]] double toleranceOf(const ExpectedMeasurement& expected);
+[[nodiscard]] double toleranceOf(const ReferenceMeasurement& expected);
 
 }  // namespace ew

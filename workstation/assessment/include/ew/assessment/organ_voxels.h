@@ -57,7 +57,7 @@ class OrganVoxels {
 /// Distance of a point from the organ: from the nearest of its voxels as a box, 0 inside. Infinity of an empty organ.
 [[nodiscard]] double distanceTo_mm(const OrganVoxels& organ, const glm::dvec3& p_world_mm);
 
-/// What of an organ a picture shows.
+/// What of an organ an image shows.
 struct OrganSection {
   double area_mm2 = 0.0;  ///< of the organ within the fan; 0: it is not shown
   glm::dvec2 inside_mm{

@@ -7,7 +7,7 @@
 
 namespace ew {
 
-/// A plane that a probe is to be brought to: where an expert holds the probe, and the point there that the picture is taken for.
+/// A plane that a probe is to be brought to: where an expert holds the probe, and the point there that the image is taken for.
 struct PlaneTarget {
   Transform<frame::World, frame::Probe> probeToWorld = {};  ///< the plane is z = 0 of the probe frame
   glm::dvec2 interest_mm{0.0, 40.0};                        ///< the point of interest, in that plane: lateral and axial
@@ -23,9 +23,9 @@ struct PlaneTolerance {
   bool operator==(const PlaneTolerance&) const = default;
 };
 
-/// How many position tolerances the point of interest may lie elsewhere within the picture: the plane is the same, but what it is taken
+/// How many position tolerances the point of interest may lie elsewhere within the image: the plane is the same, but what it is taken
 /// for has to be seen where one looks for it. Ours, for no source states one.
-inline constexpr double kInPictureFactor = 3.0;
+inline constexpr double kInImageFactor = 3.0;
 
 /// How far a probe is from a target plane. A probe turned by 180 degrees about its beam sees the same plane from its other side; then
 /// every figure but isMirrored is that of the target turned in the same way, so that it is told apart from being wrong.
@@ -34,7 +34,7 @@ struct PlaneError {
   double angle_deg = 0.0;         ///< between the two planes' normals, 0..180 (beyond 90 only where both images are that far)
   double roll_deg = 0.0;          ///< within the plane, signed about the probe's z: left after the shortest turn of normal to normal
   double distance_mm = 0.0;       ///< of the point of interest from the probe's plane, >= 0
-  double inPicture_mm = 0.0;      ///< how far the point of interest, seen along the normal, lies from where the target's picture has it
+  double inImage_mm = 0.0;        ///< how far the point of interest, seen along the normal, lies from where the target's image has it
   double face_mm = 0.0;           ///< between the middles of both faces
   glm::dvec3 faceOffset_mm{0.0};  ///< from the probe's face to the target's; world: x to the patient's left, y to the back, z to the head
   // What the hand has yet to do: the target's axes are the probe's * Ry(rotate) * Rx(tilt) * Rz(rock), as in Hold.
@@ -49,7 +49,7 @@ struct PlaneError {
 /// point of interest instead of the planes' middles, for the middle of a fan is seldom what one looks at.
 [[nodiscard]] PlaneError planeError(const PlaneTarget& target, const Transform<frame::World, frame::Probe>& probeToWorld);
 
-/// The worst of distance_mm / position, angle_deg / angle and inPicture_mm / (kInPictureFactor * position): up to 1 is within tolerance.
+/// The worst of distance_mm / position, angle_deg / angle and inImage_mm / (kInImageFactor * position): up to 1 is within tolerance.
 /// @param tolerance both above 0
 [[nodiscard]] double shareOfTolerance(const PlaneError& error, const PlaneTolerance& tolerance);
 
@@ -58,8 +58,8 @@ struct PlaneError {
 
 /// The target that a case expects. Its point of interest is the middle of the caliper points that `truth` has in this plane; without
 /// any, the point of the beam axis at half of `depth_mm`.
-/// @param depth_mm of the picture, > 0
-[[nodiscard]] PlaneTarget targetOf(const ExpectedPlane& plane, const CaseTruth& truth, double depth_mm);
-[[nodiscard]] PlaneTolerance toleranceOf(const ExpectedPlane& plane);
+/// @param depth_mm of the image, > 0
+[[nodiscard]] PlaneTarget targetOf(const ReferencePlane& plane, const CaseTruth& truth, double depth_mm);
+[[nodiscard]] PlaneTolerance toleranceOf(const ReferencePlane& plane);
 
 }  // namespace ew

@@ -75,27 +75,27 @@ struct Rating {
 /// Keeps a rating of the attempt in a folder. A finished one becomes the next revision and leaves the earlier ones as they are; a draft
 /// takes the place of the draft. sawOthers is set when this rater could have seen another's rating before (ratingsVisibleTo).
 /// @return the rating as it was kept
-/// @error as checkRating and KeptAttempt::open; badField (texts that are not UTF-8, too long, or a name with blanks at its ends),
+/// @error as checkRating and AttemptFolder::open; badField (texts that are not UTF-8, too long, or a name with blanks at its ends),
 ///        notWritable. Then everything is as it was, but for a folder
 [[nodiscard]] Result<Rating> keepRating(const std::filesystem::path& attemptFolder, const RatingForm& form, Rating rating);
 
-struct KeptRating {
+struct RatingRecord {
   Rating rating;
   std::shared_ptr<const RatingForm> form;  ///< as it was when the rating was given; never null
 };
 
-struct KeptRatings {
-  std::string attemptId;            ///< empty when the attempt cannot be read
-  std::vector<KeptRating> ratings;  ///< by rater, form and revision, a draft last
-  std::vector<Error> problems;      ///< of files that are left out: each names its file
-  std::size_t hiddenRaters = 0;     ///< of ratingsVisibleTo: others who have finished a rating that is not shown
+struct RatingRecords {
+  std::string attemptId;              ///< empty when the attempt cannot be read
+  std::vector<RatingRecord> ratings;  ///< by rater, form and revision, a draft last
+  std::vector<Error> problems;        ///< of files that are left out: each names its file
+  std::size_t hiddenRaters = 0;       ///< of ratingsVisibleTo: others who have finished a rating that is not shown
 };
 /// All ratings of an attempt with all revisions, drafts of everybody among them: for statistics and reports, never for somebody who rates.
 /// Left out are files that are damaged, belong to another attempt or do not answer their form, and drafts that were finished since.
-[[nodiscard]] KeptRatings everyRating(const std::filesystem::path& attemptFolder);
+[[nodiscard]] RatingRecords everyRating(const std::filesystem::path& attemptFolder);
 
 /// What a rater may see: everything of their own; others' finished ratings with a form once they have finished theirs with this form (of
 /// whatever version); others' drafts never.
-[[nodiscard]] KeptRatings ratingsVisibleTo(const std::string& rater, const std::filesystem::path& attemptFolder);
+[[nodiscard]] RatingRecords ratingsVisibleTo(const std::string& rater, const std::filesystem::path& attemptFolder);
 
 }  // namespace ew

@@ -19,21 +19,21 @@ enum class Standing {
   shouldPass   ///< somebody who does this in practice
 };
 
-struct RatedAttempt {
+struct AttemptRatings {
   std::string attemptId;
   std::vector<Rating> ratings;  ///< of any rater, form and revision, drafts among them
   Standing standing = Standing::unknown;
 };
 
 /// Which ratings count. Of one rater and attempt it is the latest of those that do.
-enum class CountedRatings {
+enum class RatingFilter {
   blinded,      ///< neither name nor others' ratings were seen
   independent,  ///< others' ratings were not seen: what a rater changed afterwards agrees by talking
   all
 };
 
 struct RatingStatisticsOptions {
-  CountedRatings counted = CountedRatings::independent;
+  RatingFilter counted = RatingFilter::independent;
   std::vector<std::string> raters = {};  ///< whose ratings are looked at; empty: everybody's
   Bootstrap bootstrap = {};
 };
@@ -84,7 +84,7 @@ struct RatingStatistics {
 };
 
 /// @param attempts each once. Nothing depends on their order but the drawing of intervals
-[[nodiscard]] RatingStatistics ratingStatistics(const RatingForm& form, const std::vector<RatedAttempt>& attempts,
+[[nodiscard]] RatingStatistics ratingStatistics(const RatingForm& form, const std::vector<AttemptRatings>& attempts,
                                                 const RatingStatisticsOptions& options = {});
 
 }  // namespace ew

@@ -43,10 +43,10 @@ struct RepetitionState {
 [[nodiscard]] RepetitionState afterwards(const RepetitionState& state, int grade, std::chrono::sys_seconds when);
 
 /// What to do next, and how hard.
-struct PlannedExercise {
+struct NextExercise {
   std::string exerciseId;
   int level = 1;
-  bool operator==(const PlannedExercise&) const = default;
+  bool operator==(const NextExercise&) const = default;
 };
 
 /// Of four tries two go to what is most overdue in terms of its own interval (failures first), one to what has waited longest, one to
@@ -55,9 +55,8 @@ struct PlannedExercise {
 /// @param states of exercises that are no more are left alone
 /// @param seed   the order of new exercises
 /// @return nothing when there are no exercises
-[[nodiscard]] std::optional<PlannedExercise> nextExercise(const std::vector<RepetitionState>& states,
-                                                          const std::vector<Exercise>& exercises, std::chrono::sys_seconds now,
-                                                          std::uint64_t seed);
+[[nodiscard]] std::optional<NextExercise> nextExercise(const std::vector<RepetitionState>& states, const std::vector<Exercise>& exercises,
+                                                       std::chrono::sys_seconds now, std::uint64_t seed);
 
 /// @error badField (also an exercise twice), newerFormat (with both format numbers)
 [[nodiscard]] Result<std::vector<RepetitionState>> repetitionFromJson(const nlohmann::json& document);

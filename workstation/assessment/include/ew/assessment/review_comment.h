@@ -15,7 +15,7 @@ namespace ew {
 
 inline constexpr int kCommentsFormat = 1;  ///< `format` of a file of comments; a larger one is refused with newerFormat
 
-/// Something drawn on a picture, in mm of the probe's image plane (lateral, axial), so that it lies on the same tissue in a picture of any
+/// Something drawn on an image, in mm of the probe's image plane (lateral, axial), so that it lies on the same tissue in an image of any
 /// size, zoomed or mirrored.
 struct CommentStroke {
   enum class Kind {

@@ -13,13 +13,13 @@
 namespace ew {
 
 /// An image of a scan and how long it was what the scan showed, frozen and paused time left out.
-struct HeldFrame {
+struct FrameDwell {
   std::size_t frame = 0;
   double seconds = 0.0;
 };
 /// Every image of a log. A window makes an image only when something changed, so that an image holds until the next one, a freeze, a pause
 /// (a note of kind "pause" until one of kind "resume") or the end of the log.
-[[nodiscard]] std::vector<HeldFrame> heldFramesOf(const ScanLog& log);
+[[nodiscard]] std::vector<FrameDwell> heldFramesOf(const ScanLog& log);
 /// The poses of a log for motionOf, each repeated every 40 ms for as long as it was held: a probe that rests makes no images.
 [[nodiscard]] std::vector<Pose> heldPosesOf(const ScanLog& log);
 
@@ -56,6 +56,6 @@ struct StepRecord {
 [[nodiscard]] double validShareOf(const ScanLog& log);
 
 /// The image of an expert's scan that shows a plane best: where shareOfTolerance is least. Empty: no valid pose.
-[[nodiscard]] std::optional<ScanState> bestImageOf(const ScanLog& scan, const ExpectedPlane& plane, const CaseTruth& truth);
+[[nodiscard]] std::optional<ScanState> bestImageOf(const ScanLog& scan, const ReferencePlane& plane, const CaseTruth& truth);
 
 }  // namespace ew

@@ -15,7 +15,7 @@
 namespace ew {
 
 /// What was measured with calipers in the image that is shown.
-struct HandedMeasurement {
+struct MeasurementSubmission {
   std::string kind;  ///< of the caliper: "distance", "ellipse" ...
   std::vector<Point<frame::Probe>> points;
   std::vector<Figure> figures;
@@ -23,11 +23,11 @@ struct HandedMeasurement {
 
 /// What a trainee has handed in when a step ends, beside the scan itself. Only what the step's kind asks for is looked at.
 struct Handed {
-  std::vector<std::size_t> chosen = {};              ///< answers, by their place
-  std::optional<double> number = {};                 ///< in the step's unit
-  std::optional<Point<frame::Probe>> point = {};     ///< that was pointed at, in the image that is shown
-  std::vector<HandedMeasurement> measurements = {};  ///< in the image that is shown; the last one counts
-  bool watched = false;                              ///< the expert's scan to its end
+  std::vector<std::size_t> chosen = {};                  ///< answers, by their place
+  std::optional<double> number = {};                     ///< in the step's unit
+  std::optional<Point<frame::Probe>> point = {};         ///< that was pointed at, in the image that is shown
+  std::vector<MeasurementSubmission> measurements = {};  ///< in the image that is shown; the last one counts
+  bool watched = false;                                  ///< the expert's scan to its end
 };
 
 /// One figure that is shown while a step runs, and whether it is good enough by now.

@@ -17,7 +17,7 @@ namespace ew {
 /// carries what is looked at. Ours; no source states one.
 [[nodiscard]] double poseDistance_mm(const Transform<frame::World, frame::Probe>& a, const Transform<frame::World, frame::Probe>& b);
 
-struct WarpedTime {
+struct WarpingPath {
   /// Which pose of the first goes with which of the second: from (0, 0) to the last of both, each step one further in one or both.
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   double mean_mm = 0.0;  ///< of poseDistance_mm over the pairs
@@ -30,7 +30,7 @@ struct WarpedTime {
 /// @param first, second poses that are `ok`
 /// @param mostBytes of the table
 /// @error badUsage (one is empty), tooLarge (with how many bytes it takes), cancelled (within 0.5 s)
-[[nodiscard]] Result<WarpedTime> warpTime(std::span<const Pose> first, std::span<const Pose> second, Progress& progress = noProgress(),
-                                          std::uint64_t mostBytes = 1ull << 30);
+[[nodiscard]] Result<WarpingPath> warpTime(std::span<const Pose> first, std::span<const Pose> second, Progress& progress = noProgress(),
+                                           std::uint64_t mostBytes = 1ull << 30);
 
 }  // namespace ew

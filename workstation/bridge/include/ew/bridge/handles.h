@@ -88,10 +88,10 @@ struct AxisSense {
   bool operator==(const AxisSense&) const = default;
 };
 /// What keys mean by right, up and away as the frame is seen: each of its axes once, so that their sum fits best.
-struct SeenAxes {
+struct ViewAxes {
   AxisSense right, up, away;
 };
 /// @param right, up, forward unit vectors of the camera, world
-[[nodiscard]] SeenAxes axesAsSeen(const HandlesToWorld& toWorld, const glm::dvec3& right, const glm::dvec3& up, const glm::dvec3& forward);
+[[nodiscard]] ViewAxes axesAsSeen(const HandlesToWorld& toWorld, const glm::dvec3& right, const glm::dvec3& up, const glm::dvec3& forward);
 
 }  // namespace ew::bridge

@@ -91,8 +91,8 @@ class Scene3D {
   void setProbe(const Probe& probe, double depth_mm, const Knobs& knobs = {});
   void setPose(const Pose& pose);  ///< one that is not ok hides probe and fan
   void setProbeVisible(bool visible);
-  /// The live picture, drawn inside the fan's outline where it belongs; copied.
-  void setFanImage(const Picture& picture, const DisplayGeometry& geometry);
+  /// The live image, drawn inside the fan's outline where it belongs; copied.
+  void setFanImage(const DisplayImage& image, const DisplayGeometry& geometry);
   void clearFanImage();  ///< the fan becomes a tinted pane
   /// Corners of the drawn fan in the world, in the order of fanOutline_mm; empty while it is hidden.
   [[nodiscard]] std::vector<glm::dvec3> fanCorners_mm() const;
@@ -116,7 +116,7 @@ class Scene3D {
   [[nodiscard]] glm::dvec3 cameraUp() const;     ///< unit, world
   [[nodiscard]] glm::dvec3 eye_mm() const;
 
-  /// Smooth edges cost two thirds more (42 against 72 ms of one core for 97 000 triangles at 760 x 800 on software GL): a moving picture
+  /// Smooth edges cost two thirds more (42 against 72 ms of one core for 97 000 triangles at 760 x 800 on software GL): a moving image
   /// does without.
   enum class Edges { quick, smooth };
   void render(Edges edges = Edges::smooth);

@@ -27,9 +27,9 @@ constexpr std::array<std::pair<Quality, const char*>, 3> kQualities{
 constexpr std::size_t kEveryView = 3;  // poses of which views are correlated, and the model is formed with other scatterers
 constexpr int kEnoughPatches = 12;     // for a figure of a band
 constexpr int kEnoughViews = 12;       // patches, for a correlation of views
-constexpr double kPivotShare = 0.45;   // of the depth: rotations are about the middle of the picture
+constexpr double kPivotShare = 0.45;   // of the depth: rotations are about the middle of the image
 constexpr int kWarmFrames = 10;
-constexpr double kDarkest_db = -70.0;  // of a shadow: the picture's black and 10 dB below it; how black it is beyond that is all the same
+constexpr double kDarkest_db = -70.0;  // of a shadow: the image's black and 10 dB below it; how black it is beyond that is all the same
 
 /// The bars of issue "Quality has settings with a price"; time on two threads.
 constexpr double kLevelBar_db = 1.0, kSnrBar_percent = 3.0, kLengthBar_percent = 10.0, kViewBar = 0.05, kShadowBar_db = 2.0,
@@ -240,7 +240,7 @@ Result<void> CaseBench::time(Progress& progress) {
         state.pose = poseOf(n);
         state.number = static_cast<std::uint64_t>(n + kWarmFrames);
         const auto start = std::chrono::steady_clock::now();
-        [[maybe_unused]] const Picture picture = scanner.make(state, options_.width_px, options_.height_px);
+        [[maybe_unused]] const DisplayImage image = scanner.make(state, options_.width_px, options_.height_px);
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
         if (n >= 0) compared_[q].time_ms[threads - 1].push_back(took.count());
       }
@@ -364,7 +364,7 @@ json mustShowOf(const json& totals) {
         std::tuple{"decorrelation_off", "decorrelation between views, off, worst motion", kViewBar},
         std::tuple{"shadow_db", "shadows, dB off, worst case", kShadowBar_db},
         std::tuple{"two_threads_ms", "whole frame on two threads, ms, worst case", kFrameBar_ms},
-        std::tuple{"two_p99_ms", "99 of 100 frames from pose to picture, ms, worst case", kP99Bar_ms}}) {
+        std::tuple{"two_p99_ms", "99 of 100 frames from pose to image, ms, worst case", kP99Bar_ms}}) {
     if (!usual[figure].is_number()) continue;
     const double value = std::abs(usual[figure].get<double>());
     bars.push_back({{"name", name}, {"value", value}, {"limit", limit}, {"met", value <= limit}});

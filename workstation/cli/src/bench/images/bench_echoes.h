@@ -16,13 +16,13 @@ struct EchoBenchOptions {
   std::vector<Case> cases;  ///< drawn ones (a recipe, no sweeps); prepared first where they are not
   int poses = 3;    ///< of each case, 1..1000: its standard planes, start and expert pose, then others slid, tilted and turned from them
   int frames = 40;  ///< timed for each quality and number of threads, 5..10000
-  int width_px = 1024;  ///< of a timed picture, 128..4096
+  int width_px = 1024;  ///< of a timed image, 128..4096
   int height_px = 768;
   std::uint64_t seed = 1;  ///< of poses
 };
 
 /// Live echoes of every quality against the full forward model (VirtualScanner) of the same patient, pose, probe, depth and focus, on
-/// beams; and what whole frames of the case take, a new pose for each, from pose to picture through Scanner.
+/// beams; and what whole frames of the case take, a new pose for each, from pose to image through Scanner.
 /// Compared like with like: no noise, no gel or air, no reverberation, linear map, TGC that removes what the scene expects, looks and pulse
 /// of the case's effect; of both, scatterers alone (no mirrors). Switched off in live echoes is what they have on purpose beside the model:
 /// scatter of the scatterers' strength, little walls, line filter and line average, haze, gain; aperture and F-number are the model's, and

@@ -52,7 +52,7 @@ BenchSection accuracySection(const json& report) {
 
 BenchSection timeSection(const json& report) {
   BenchSection section;
-  section.title = "Live echoes: whole frames from pose to picture";
+  section.title = "Live echoes: whole frames from pose to image";
   section.text = std::to_string(report["width"].get<int>()) + " x " + std::to_string(report["height"].get<int>()) +
                  " pixels with every effect of the case, " + std::to_string(report["frames"].get<int>()) +
                  " frames each, a new pose for every frame, by the clock on the wall.";

@@ -27,10 +27,10 @@ using nlohmann::json;
 constexpr double kSpan_mm = 300.0;               // of the cube: the fan of the probe lies inside it in every pose
 constexpr double kPerSigma = 2.354820045030949;  // full width at half maximum of a normal distribution
 
-/// What a setting's picture can be compared with.
+/// What a setting's image can be compared with.
 enum class Exact { none, field, elevationalMean, lateralMean };
 
-/// One thing to time. `frame` makes the picture of a pose; it stays valid until the next call.
+/// One thing to time. `frame` makes the image of a pose; it stays valid until the next call.
 struct FrameSetting {
   std::string name;  ///< "frame_1024x768_of_256cubed/focus_kernel/1"
   std::string group;
@@ -168,7 +168,7 @@ void addBareBeams(std::vector<FrameSetting>& settings, const World& world, Frame
     SliceScratch scratch;
     GreyImage lines;
     BeamImage beams;
-    GreyImage picture;
+    GreyImage image;
   };
   auto state = std::make_shared<State>();
   const DisplayGeometry geometry = fitDisplay(world.probe, setting.knobs, world.options.width_px, world.options.height_px);
@@ -177,13 +177,13 @@ void addBareBeams(std::vector<FrameSetting>& settings, const World& world, Frame
   const int lines = static_cast<int>(state->grid.lines.size());
   state->lines = GreyImage(state->grid.samples, lines);
   state->beams = BeamImage(lines, state->grid.samples);
-  state->picture = GreyImage(world.options.width_px, world.options.height_px);
+  state->image = GreyImage(world.options.width_px, world.options.height_px);
   setting.frame = [state, &world, quality = setting.knobs.quality](const Pose& pose) {
     rowsOf(state->grid, world.volume.grid.worldToVoxel() * pose.probeToWorld, glm::dvec2(0.0), state->rows);
     sampleRows(quality, world.voxels.source(world.volume.grid, 0.0), state->rows, viewOf(state->lines), state->scratch);
     accumulatePlane(viewOf(std::as_const(state->lines)), 1.0F, true, viewOf(state->beams));
-    scanConvert(state->table, viewOf(std::as_const(state->beams)), 0, state->picture.height, viewOf(state->picture));
-    return static_cast<const std::uint8_t*>(state->picture.pixels.data());
+    scanConvert(state->table, viewOf(std::as_const(state->beams)), 0, state->image.height, viewOf(state->image));
+    return static_cast<const std::uint8_t*>(state->image.pixels.data());
   };
   settings.push_back(std::move(setting));
 }
@@ -364,7 +364,7 @@ class FrameAnswer {
     if (setting.exact == Exact::lateralMean) beam_ = beamModelOf(world.probe, setting.knobs, *setting.scene.focus, geometry_.depth_mm);
   }
 
-  /// Empty where the picture's edge or the volume's would count.
+  /// Empty where the image's edge or the volume's would count.
   [[nodiscard]] std::optional<double> at(int x, int y, const Pose& pose) const {
     const glm::dvec3 p_mm(geometry_.imageToProbe().matrix * glm::dvec4(x, y, 0.0, 1.0));
     const glm::dvec2 place = lineAndSampleAt(world_.probe, setting_.knobs, grid_, glm::dvec2(p_mm));
@@ -497,7 +497,7 @@ Result<void> checkOptions(const FrameBenchOptions& options) {
   for (const int side : options.volumeSides)
     if (side < 64 || side > 1024) return refuse(say<"A volume side must lie between 64 and 1024 voxels.">());
   if (options.width_px < 128 || options.width_px > 4096 || options.height_px < 128 || options.height_px > 4096)
-    return refuse(say<"A picture must be between 128 and 4096 pixels wide and high.">());
+    return refuse(say<"An image must be between 128 and 4096 pixels wide and high.">());
   if (options.poses < 2 || options.poses > 1000) return refuse(say<"The number of poses must lie between 2 and 1000.">());
   if (options.repetitions < 1 || options.repetitions > 1000) return refuse(say<"The number of repetitions must lie between 1 and 1000.">());
   return {};

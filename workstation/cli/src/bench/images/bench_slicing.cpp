@@ -27,7 +27,7 @@ using ImageToVoxel = Transform<frame::Voxel, frame::Image>;
 
 struct SlicingScene {
   Volume volume;
-  BrickedVolume bricks;
+  BrickVolume bricks;
   LayoutTimes times;  ///< by which the program chooses for each slice; each layout alone is shown beside it
   BenchField field;
   std::map<std::string, std::vector<ImageToVoxel>> poses;  // by kind

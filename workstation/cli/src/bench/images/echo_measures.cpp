@@ -208,7 +208,7 @@ std::vector<EchoPatch> patchesOf(const EchoTruth& truth, const BeamGrid& grid, c
   for (std::size_t n = 0; n < kPlanes; ++n) planes[n] = walkPlane(truth, grid, elevationalSigma_mm, kSigmas[n], probeToWorld);
   std::vector<EchoPatch> patches;
   const double depth_mm = grid.depth_mm(grid.samples - 1);
-  // Small pictures have small patches.
+  // Small images have small patches.
   const double side_mm = std::min(kPatch_mm, 0.1 * depth_mm);
   for (double from_mm = side_mm; from_mm + side_mm < depth_mm - side_mm; from_mm += side_mm) {
     const auto wide = static_cast<int>(std::lround(side_mm / grid.lineSpacing_mm(from_mm + 0.5 * side_mm)));

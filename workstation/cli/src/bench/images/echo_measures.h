@@ -40,7 +40,7 @@ struct EchoTruth {
 
 inline constexpr double kEchoStep_mm = 0.5;  ///< of the truth along a line
 
-/// A piece of the picture a few resolution cells wide, of which it is known what lies there.
+/// A piece of the image a few resolution cells wide, of which it is known what lies there.
 struct EchoPatch {
   int firstLine = 0, lines = 0;
   double from_mm = 0.0, to_mm = 0.0;

@@ -146,7 +146,7 @@ LiveEngine::LiveEngine(const EchoSubject& subject, const Probe& probe, Quality q
   if (!loses) scene.attenuation.reset();
   Knobs knobs;
   knobs.quality = quality;
-  // The picture itself is not looked at.
+  // The image itself is not looked at.
   constexpr int kSmall_px = 64;
   maker_.configure(probe, knobs, scene, subject.subject.placedGrid, kSmall_px, kSmall_px, subject.subject.labels != nullptr, {}, true);
 }
@@ -159,7 +159,7 @@ EchoFrame LiveEngine::frameAt(const Transform<frame::World, frame::Probe>& probe
   input.tissue = subject_.bare.get();
   input.tissueGrid = subject_.subject.placedTissue;
   input.pose.probeToWorld = probeToWorld;
-  [[maybe_unused]] const Picture picture = maker_.make(input);
+  [[maybe_unused]] const DisplayImage image = maker_.make(input);
   return frameOfLevels(maker_.beamGrid(), maker_.beamLevels(), kWideRange_db);
 }
 

@@ -20,7 +20,8 @@ struct PlaneRuns {
 };
 
 /// One start after another, each with a seed of its own.
-Result<PlaneRuns> runsTo(const ExpectedPlane& plane, const TeachingCase& teaching, const CompassBenchOptions& options, Progress& progress) {
+Result<PlaneRuns> runsTo(const ReferencePlane& plane, const TeachingCase& teaching, const CompassBenchOptions& options,
+                         Progress& progress) {
   PlaneRuns made;
   made.target = compassTargetOf(targetOf(plane, teaching.truth, teaching.probe.defaultDepth_mm), toleranceOf(plane), *teaching.skin);
   made.runs.resize(static_cast<std::size_t>(options.starts));
@@ -42,7 +43,7 @@ Result<PlaneRuns> runsTo(const ExpectedPlane& plane, const TeachingCase& teachin
   return made;
 }
 
-json rowOf(const std::string& caseId, const ExpectedPlane& plane, const PlaneRuns& made) {
+json rowOf(const std::string& caseId, const ReferencePlane& plane, const PlaneRuns& made) {
   std::vector<double> times_s;
   for (const HandRun& run : made.runs)
     if (run.reached) times_s.push_back(run.time_s);
@@ -75,7 +76,7 @@ Result<json> benchCompass(const CompassBenchOptions& options, Progress& progress
     std::vector<double> times_s, changes;
     std::size_t starts = 0;
     json failed = json::array();
-    for (const ExpectedPlane& plane : teaching->truth.planes) {
+    for (const ReferencePlane& plane : teaching->truth.planes) {
       const auto made = runsTo(plane, *teaching, options, part);
       if (!made) return passOn(made.error());
       std::size_t reached = 0;

@@ -53,7 +53,7 @@ bool expertPasses(Draw draw, const std::optional<Hold>& view) {
   if (draw.exercise.kind == ExerciseKind::findPlane) {
     const auto start = startOf(draw.exercise, draw.ground, draw.level, draw.random());
     if (!start) return false;
-    const ExpectedPlane& plane = *planeOf(draw.exercise, truth);
+    const ReferencePlane& plane = *planeOf(draw.exercise, truth);
     const double factor = difficultyOf(draw.level).toleranceFactor;
     const PlaneTolerance tolerance{factor * plane.positionTolerance_mm, factor * plane.angleTolerance_deg};
     const CompassTarget target = compassTargetOf(targetOf(plane, truth, draw.ground.fan().depth_mm), tolerance, *draw.ground.skin);
@@ -66,7 +66,7 @@ bool expertPasses(Draw draw, const std::optional<Hold>& view) {
     answer.points_mm = {carried(poseOf(*view).probeToWorld, glm::dvec3(section.inside_mm + draw.click(), 0.0))};
   } else {
     if (!startOf(draw.exercise, draw.ground, draw.level, draw.random())) return false;
-    const ExpectedMeasurement& measurement = *measurementOf(draw.exercise, truth);
+    const ReferenceMeasurement& measurement = *measurementOf(draw.exercise, truth);
     // Clicks are off along the line and across it, within the plane that holds the points.
     const glm::dvec3 along = glm::normalize(measurement.points_mm[1] - measurement.points_mm[0]);
     const glm::dvec3 across =
@@ -90,8 +90,8 @@ bool chancePasses(Draw draw) {
   if (draw.exercise.kind == ExerciseKind::pointAtOrgan)
     answer.points_mm = {carried(answer.pose.probeToWorld, glm::dvec3(draw.anywhereInFan(), 0.0))};
   if (draw.exercise.kind == ExerciseKind::measure) {
-    const ExpectedMeasurement& measurement = *measurementOf(draw.exercise, draw.ground.truth);
-    for (const ExpectedPlane& plane : draw.ground.truth.planes)
+    const ReferenceMeasurement& measurement = *measurementOf(draw.exercise, draw.ground.truth);
+    for (const ReferencePlane& plane : draw.ground.truth.planes)
       if (plane.name == measurement.plane) answer.pose.probeToWorld = plane.probeToWorld;
     for (std::size_t n = 0; n < measurement.points_mm.size(); ++n)
       answer.points_mm.push_back(carried(answer.pose.probeToWorld, glm::dvec3(draw.anywhereInFan(), 0.0)));

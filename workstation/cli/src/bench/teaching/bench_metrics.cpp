@@ -97,7 +97,7 @@ class LessonStudy {
       if (const ScanLog& scan = expert_[n].log; scan.frameCount() > 0) expert = {&scan, scan.frame(scan.frameCount() - 1)};
       auto values = metricsOf({step, *outcome, steps[n].log.frameCount() > 0 ? &steps[n].log : nullptr}, *on_.ground(), expert);
       if (!values) return passOn(values.error());
-      const bool isWork = !std::holds_alternative<ReadTask>(step.task) && !std::holds_alternative<WatchTask>(step.task);
+      const bool isWork = !std::holds_alternative<ReadingTask>(step.task) && !std::holds_alternative<WatchTask>(step.task);
       if (isWork) values->push_back({kTaskScore, 1, outcome->score});
       keepValues(n, level, number, *values);
     }

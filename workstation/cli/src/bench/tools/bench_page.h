@@ -29,7 +29,7 @@ struct BenchAxis {
   double smallestStep = 5.0;
 };
 
-/// One bar of a picture of times.
+/// One bar of an image of times.
 struct BenchBar {
   std::string label;
   double time_ms = 0.0;
@@ -43,7 +43,7 @@ struct BenchTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// A heading, a few words, a chart of accuracy against time, a picture of times, a table: each when there is something in it.
+/// A heading, a few words, a chart of accuracy against time, an image of times, a table: each when there is something in it.
 struct BenchSection {
   std::string title;
   std::string text;

@@ -108,7 +108,7 @@ class InPlaneWarp final : public Deformation {
 };
 
 /// Envelope averaged over the pixel's depth, then log compressed.
-GreyImage pictureOf(const Image<float>& envelope, double sampleSpacing_mm, double dynamicRange_db) {
+GreyImage imageOf(const Image<float>& envelope, double sampleSpacing_mm, double dynamicRange_db) {
   const int rows = static_cast<int>(kDepth_mm / kPixel_mm);
   Image<float> coarse(envelope.width, rows);
   for (int y = 0; y < rows; ++y) {
@@ -120,9 +120,9 @@ GreyImage pictureOf(const Image<float>& envelope, double sampleSpacing_mm, doubl
       viewOf(coarse).at(x, y) = sum / static_cast<float>(last - first);
     }
   }
-  GreyImage picture;
-  compressEnvelope(coarse, dynamicRange_db, picture);
-  return picture;
+  GreyImage image;
+  compressEnvelope(coarse, dynamicRange_db, image);
+  return image;
 }
 
 class Recorder {
@@ -148,7 +148,7 @@ class Recorder {
     pose[3] = {x_mm, 2.0, 0.0, 1.0};
     Image<float> envelope;
     scanner_->envelope(Transform<frame::World, frame::Probe>{pose}, deformation, number, *scratch_, envelope);
-    return pictureOf(envelope, scanner_->grid().sampleSpacing_mm, scanner_->options().dynamicRange_db);
+    return imageOf(envelope, scanner_->grid().sampleSpacing_mm, scanner_->options().dynamicRange_db);
   }
 
  private:
@@ -227,19 +227,19 @@ json rowOf(const std::string& name, const json& factor, double correlation, cons
 }
 
 /// Mean absolute difference of columns 1 mm apart across `seam`, over the same beside it.
-double seamVisibility(const GreyImage& picture, int seam) {
+double seamVisibility(const GreyImage& image, int seam) {
   constexpr int kApart = 2;  // columns to either side
   const auto step = [&](int left) {
     double sum = 0.0;
-    for (int y = 0; y < picture.height; ++y)
-      sum += std::abs(static_cast<double>(viewOf(picture).at(left, y)) - viewOf(picture).at(left + kApart, y));
+    for (int y = 0; y < image.height; ++y)
+      sum += std::abs(static_cast<double>(viewOf(image).at(left, y)) - viewOf(image).at(left + kApart, y));
     return sum;
   };
   double nearby = 0.0;
   int count = 0;
   for (int d = 10; d <= 19; ++d)
     for (const int left : {seam - d, seam + d}) {
-      if (left < 0 || left + kApart >= picture.width) continue;
+      if (left < 0 || left + kApart >= image.width) continue;
       nearby += step(left);
       ++count;
     }
@@ -249,7 +249,7 @@ double seamVisibility(const GreyImage& picture, int seam) {
 std::string number(const json& value, int decimals) { return value.is_number() ? fixedText(value.get<double>(), decimals) : "-"; }
 
 std::string page(const json& report) {
-  const auto picture = [](const std::string& file, const std::string& words) {
+  const auto image = [](const std::string& file, const std::string& words) {
     return "<figure><img src=\"" + file + "\" alt=\"" + words + "\"><figcaption>" + words + "</figcaption></figure>";
   };
   std::string out =
@@ -263,10 +263,10 @@ std::string page(const json& report) {
   const json& eight = report["figure8"];
   out += "<h2>Figure 8: one resolution against the pyramid</h2><p>Motion up to " + number(eight["peak_mm"], 1) + " mm, mean " +
          number(eight["mean_motion_mm"], 2) + " mm. Correlation of grey levels, error against the known motion.</p>";
-  out += picture("figure-8-fixed.png", "(a) fixed") + picture("figure-8-moving.png", "(b) moving");
+  out += image("figure-8-fixed.png", "(a) fixed") + image("figure-8-moving.png", "(b) moving");
   for (std::size_t n = 1; n < eight["rows"].size(); ++n)
-    out += picture("figure-8-" + std::to_string(n) + ".png",
-                   eight["rows"][n]["name"].get<std::string>() + " (" + number(eight["rows"][n]["correlation"], 3) + ")");
+    out += image("figure-8-" + std::to_string(n) + ".png",
+                 eight["rows"][n]["name"].get<std::string>() + " (" + number(eight["rows"][n]["correlation"], 3) + ")");
   out += "<table><tr><th></th><th>correlation</th><th>error mm</th><th>95 % mm</th><th>smallest Jacobian</th><th>s</th></tr>";
   for (const json& row : eight["rows"])
     out += "<tr><td>" + row["name"].get<std::string>() + "</td><td>" + number(row["correlation"], 3) + "</td><td>" +
@@ -276,10 +276,10 @@ std::string page(const json& report) {
   out += "</table><h2>Figures 6 and 7: two subvolumes side by side</h2><p>The right one was recorded after the tissue had moved by up to " +
          number(seven["motion_mm"], 1) + " mm. The tangent slices correlate " + number(seven["correlation_before"], 3) + " before and " +
          number(seven["correlation_after"], 3) + " after; error of the motion found there " + number(seven["error_mm"], 2) + " mm.</p>";
-  out += picture("figure-6-first.png", "6 (a) the first subvolume") + picture("figure-6-second.png", "6 (b) the second") +
-         picture("figure-7-pasted.png", "7 (a) neither blended nor warped: seam " + number(seven["seam"]["pasted"], 2)) +
-         picture("figure-7-blended.png", "7 (b) blended: seam " + number(seven["seam"]["blended"], 2)) +
-         picture("figure-7-warped.png", "7 (c) warped and blended: seam " + number(seven["seam"]["warped"], 2));
+  out += image("figure-6-first.png", "6 (a) the first subvolume") + image("figure-6-second.png", "6 (b) the second") +
+         image("figure-7-pasted.png", "7 (a) neither blended nor warped: seam " + number(seven["seam"]["pasted"], 2)) +
+         image("figure-7-blended.png", "7 (b) blended: seam " + number(seven["seam"]["blended"], 2)) +
+         image("figure-7-warped.png", "7 (c) warped and blended: seam " + number(seven["seam"]["warped"], 2));
   return out + "</body></html>\n";
 }
 
@@ -340,14 +340,14 @@ Result<void> checkPaperOptions(const PaperBenchOptions& options) {
   return {};
 }
 
-using NamedPictures = std::vector<std::pair<std::string, GreyImage>>;
+using ImagesByName = std::vector<std::pair<std::string, GreyImage>>;
 
-Result<void> writePictures(const NamedPictures& pictures, const PaperPlace& placeOf) {
+Result<void> writeImages(const ImagesByName& images, const PaperPlace& placeOf) {
   if (!placeOf) return {};
-  for (const auto& [name, picture] : pictures) {
+  for (const auto& [name, image] : images) {
     const auto place = placeOf(name);
     if (!place) return passOn(place.error());
-    if (auto written = writeImage(viewOf(picture), kPixel_mm, *place); !written) return written;
+    if (auto written = writeImage(viewOf(image), kPixel_mm, *place); !written) return written;
   }
   return {};
 }
@@ -372,9 +372,9 @@ Result<json> figureEight(const PaperBenchOptions& options, Recorder& first, Reco
   std::vector<GreyImage> seen;
   auto rows = paperRows(fixed, moving, kPixel_mm, truth, &seen, progress);
   if (!rows) return passOn(rows.error());
-  NamedPictures pictures{{"figure-8-fixed.png", fixed}, {"figure-8-moving.png", moving}};
-  for (std::size_t n = 1; n < seen.size(); ++n) pictures.emplace_back("figure-8-" + std::to_string(n) + ".png", seen[n]);
-  if (auto written = writePictures(pictures, placeOf); !written) return passOn(written.error());
+  ImagesByName images{{"figure-8-fixed.png", fixed}, {"figure-8-moving.png", moving}};
+  for (std::size_t n = 1; n < seen.size(); ++n) images.emplace_back("figure-8-" + std::to_string(n) + ".png", seen[n]);
+  if (auto written = writeImages(images, placeOf); !written) return passOn(written.error());
   return json{{"pixel_mm", kPixel_mm}, {"peak_mm", options.peak_mm}, {"mean_motion_mm", (*rows)[0]["error_mm"]}, {"rows", *rows}};
 }
 
@@ -401,13 +401,13 @@ Grid planeAcross(double sweep_mm, const Grid& volume) {
   return across;
 }
 
-GreyImage pictureOfPlane(const Volume& plane) {
+GreyImage imageOfPlane(const Volume& plane) {
   GreyImage out(plane.grid.dims.x, plane.grid.dims.y);
   out.pixels = plane.echo;
   return out;
 }
 
-/// Two planes across the seam in one picture, blended over `half_mm` to either side of the middle; 0: pasted.
+/// Two planes across the seam in one image, blended over `half_mm` to either side of the middle; 0: pasted.
 GreyImage joinedAcross(const Volume& left, const Volume& right, double half_mm) {
   // The second view's mean is brought to the first's in the overlap: figure 7 is about geometry.
   double sumLeft = 0.0, sumRight = 0.0;
@@ -455,12 +455,12 @@ Result<json> figureSeven(const PaperBenchOptions& options, Recorder& first, Reco
     if (!*each) return passOn(each->error());
   const GreyImage pasted = joinedAcross(*left, *right, 0.0), blended = joinedAcross(*left, *right, kOverlap_mm),
                   smooth = joinedAcross(*left, *warped, kOverlap_mm);
-  if (auto written = writePictures({{"figure-6-first.png", pictureOfPlane(*left)},
-                                    {"figure-6-second.png", pictureOfPlane(*right)},
-                                    {"figure-7-pasted.png", pasted},
-                                    {"figure-7-blended.png", blended},
-                                    {"figure-7-warped.png", smooth}},
-                                   placeOf);
+  if (auto written = writeImages({{"figure-6-first.png", imageOfPlane(*left)},
+                                  {"figure-6-second.png", imageOfPlane(*right)},
+                                  {"figure-7-pasted.png", pasted},
+                                  {"figure-7-blended.png", blended},
+                                  {"figure-7-warped.png", smooth}},
+                                 placeOf);
       !written)
     return passOn(written.error());
   const int middle = across.dims.x / 2;

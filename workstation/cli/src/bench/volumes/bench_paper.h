@@ -43,7 +43,7 @@ using PaperPlace = std::function<Result<std::filesystem::path>(const std::string
 /// @error badUsage (an option outside its range), notWritable, cancelled
 [[nodiscard]] Result<nlohmann::json> benchPaper(const PaperBenchOptions& options, const PaperPlace& placeOf, Progress& progress);
 
-/// The report of benchPaper as sections of a page (without its pictures, which paper.html shows).
+/// The report of benchPaper as sections of a page (without its images, which paper.html shows).
 [[nodiscard]] std::vector<BenchSection> paperSections(const nlohmann::json& report);
 
 }  // namespace ew

@@ -26,7 +26,7 @@ constexpr std::size_t kJudgedVoxels = 300000;
 struct Sweep {
   std::string name;
   std::vector<GreyImage> images;
-  std::vector<PosedFrame> frames;
+  std::vector<TrackedFrame> frames;
 };
 
 /// Exact levels at some voxels of a grid, spread over all of it.

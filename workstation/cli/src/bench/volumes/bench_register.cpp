@@ -17,7 +17,7 @@
 #include "ew/core/numbers.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/io/volume_file.h"
-#include "ew/phantom/speckled_tissue.h"
+#include "ew/phantom/speckle_tissue.h"
 #include "ew/registration/deformation.h"
 #include "ew/registration/elastic.h"
 #include "ew/registration/landmarks.h"
@@ -81,7 +81,7 @@ Grid cubeAt(int side, double voxel_mm, const glm::dvec3& origin_mm) {
   return grid;
 }
 
-Result<Pair> pairOf(std::string name, const Grid& grid, const SpeckledTissue& fixedTissue, const SpeckledTissue& movingTissue,
+Result<Pair> pairOf(std::string name, const Grid& grid, const SpeckleTissue& fixedTissue, const SpeckleTissue& movingTissue,
                     const Motion& truth, const Motion& movingToTissue, bool differing, Progress& progress) {
   Pair pair{.name = std::move(name), .fixed = {}, .moving = {}, .truth = truth};
   auto fixed = imageOf(fixedTissue, {.grid = grid, .toTissue = {}, .shared = kShared, .view = 1}, 0, progress);
@@ -171,8 +171,8 @@ Answer answerOf(Deformation deformation, Verdict verdict, std::optional<double> 
 }
 
 /// The middle slice of the elastic pair's motion, in the plane.
-Result<Pair> pictures(const RegisterBenchOptions& options, Progress& progress) {
-  const SpeckledTissue tissue(options.seed + 2);
+Result<Pair> images(const RegisterBenchOptions& options, Progress& progress) {
+  const SpeckleTissue tissue(options.seed + 2);
   const Warp warp(options.seed + 2);
   Grid grid = cubeAt(256, 0.4, {10.0, 20.0, 30.0});
   grid.dims.z = 1;
@@ -205,8 +205,8 @@ Result<Pairs> makePairs(const RegisterBenchOptions& options, Progress& progress)
     into = std::move(*made);
     return {};
   };
-  const SpeckledTissue tissue(options.seed);
-  const SpeckledTissue other(options.seed + 77);
+  const SpeckleTissue tissue(options.seed);
+  const SpeckleTissue other(options.seed + 77);
   const Warp warp(options.seed);
   const Grid grid = cubeAt(options.side, kVoxel_mm, {-12.0, 5.0, 40.0});
   if (auto made = take(pairs.elastic, pairOf(
@@ -214,11 +214,11 @@ Result<Pairs> makePairs(const RegisterBenchOptions& options, Progress& progress)
                                           [warp](const glm::dvec3& q) { return warp.before(q); }, true, progress));
       !made)
     return passOn(made.error());
-  if (auto made = take(pairs.flat, pictures(options, progress)); !made) return passOn(made.error());
+  if (auto made = take(pairs.flat, images(options, progress)); !made) return passOn(made.error());
   const Grid wide = cubeAt(options.side, kWideVoxel_mm, glm::dvec3(0.0));
   const double extent_mm = kWideVoxel_mm * (options.side - 1);
   const glm::dvec3 middle(0.5 * extent_mm);
-  const auto rigidPair = [&](const std::string& name, const SpeckledTissue& seen, double angle_deg, const glm::dvec3& shift_mm) {
+  const auto rigidPair = [&](const std::string& name, const SpeckleTissue& seen, double angle_deg, const glm::dvec3& shift_mm) {
     const auto fixedToMoving = turnAbout(middle, angle_deg, {0.5, 0.6, -0.62}, shift_mm);
     return pairOf(name, wide, tissue, seen, rigidMotion(fixedToMoving), rigidMotion(inverse(fixedToMoving)), true, progress);
   };

@@ -17,9 +17,9 @@ struct RegisterBenchOptions {
   std::uint64_t seed = 1;
 };
 
-/// Registers pairs of speckled tissue whose truth is known everywhere (ew/phantom/speckled_tissue.h) with every method at each of its
+/// Registers pairs of speckled tissue whose truth is known everywhere (ew/phantom/speckle_tissue.h) with every method at each of its
 /// settings, on one thread, timed by processor time. Pairs: `elastic` (smooth motion up to 5 mm, two thirds of the speckle shared, other
-/// gain, a shadow), `pictures` (the same in two dimensions), `turned` (9 degrees and 6 mm off, for the refinement), `partial` (half and a
+/// gain, a shadow), `images` (the same in two dimensions), `turned` (9 degrees and 6 mm off, for the refinement), `partial` (half and a
 /// third shared, 12 and 24 degrees, no start), `strangers` (two tissues: what is to be refused), `landmarks` (places hit within 1 mm). The
 /// result: {"machine", "side", "repetitions", "seed", "results": [{"name", "method", "setting", "pair", "median_us", "error_start_mm",
 /// "error_mm", "error_p95_mm", "removed_percent" (of the error at the start), "verdict", "jacobian_min" (elastic)}], "peers": the same

@@ -96,7 +96,7 @@ std::vector<BenchSection> registerSections(const json& report) {
           " cubed voxels of 0.9 mm that share half (12 degrees, solid) and a third (24 degrees, hollow) of what they show; any "
           "place, any turn up to 30 degrees. Strangers show different tissue: what counts there is that they are refused.");
   add("rigid", "Refining a rigid start", "The same views 9 degrees and 6 mm off, refined from the files' coordinates.");
-  add("elastic2d", "Bending pictures onto each other",
+  add("elastic2d", "Bending images onto each other",
       "256 x 256 pixels of 0.4 mm, the same motion in the plane. Barber's method; `one level` is the paper's counter-example.");
   add("landmarks", "Landmarks",
       "Places hit within 1 mm (standard deviation, in each volume and along each axis) in a cube of 80 mm, every fifth 30 mm beside the "

@@ -7,7 +7,7 @@
 
 #include "bench/tools/bench_parts.h"
 #include "ew/core/numbers.h"
-#include "ew/phantom/speckled_view.h"
+#include "ew/phantom/speckle_view.h"
 #include "ew/stitching/equalise_views.h"
 #include "run/report.h"
 
@@ -22,8 +22,8 @@ constexpr double kDbPerGrey = kSpeckledRange_db / 255.0;
 
 /// The left view has a shadow down the overlap; the right one is brighter, the more so the deeper.
 struct Views {
-  SpeckledViewRecipe leftRecipe, rightRecipe;
-  SpeckledView left, right;
+  SpeckleViewRecipe leftRecipe, rightRecipe;
+  SpeckleView left, right;
   std::vector<View> views;
   Grid grid;
 };
@@ -39,10 +39,10 @@ Views viewsOf(const StitchBenchOptions& options) {
   made.rightRecipe.speckle = 2 * options.seed + 1;
   made.rightRecipe.gain_db = 4.0;
   made.rightRecipe.depthGain_db = 3.0;
-  made.leftRecipe.shadow = SpeckledViewRecipe::Shadow{0.75 * wide_mm, 0.88 * wide_mm, 0.3 * wide_mm, 30.0};
+  made.leftRecipe.shadow = SpeckleViewRecipe::Shadow{0.75 * wide_mm, 0.88 * wide_mm, 0.3 * wide_mm, 30.0};
   made.left = speckledView(made.leftRecipe, 0);
   made.right = speckledView(made.rightRecipe, 0);
-  for (const SpeckledView* one : {&made.left, &made.right}) {
+  for (const SpeckleView* one : {&made.left, &made.right}) {
     View view;
     view.volume = &one->volume;
     view.confidence = one->confidence;
@@ -53,8 +53,8 @@ Views viewsOf(const StitchBenchOptions& options) {
   return made;
 }
 
-std::vector<PlacedGrid> gridsOf(const std::vector<View>& views) {
-  std::vector<PlacedGrid> grids;
+std::vector<GridPlacement> gridsOf(const std::vector<View>& views) {
+  std::vector<GridPlacement> grids;
   for (const View& view : views) grids.push_back({view.volume->grid, view.toWorld, view.name});
   return grids;
 }
@@ -228,7 +228,7 @@ Result<json> benchStitch(const StitchBenchOptions& options, Progress& progress) 
   equalising.threads = 1;
   std::vector<double> equalise_us;
   PartOfProgress looking(progress, 0.05, 0.1);
-  Result<EqualisedViews> equalised = EqualisedViews{};
+  Result<ViewEqualisation> equalised = ViewEqualisation{};
   for (int repetition = 0; repetition < options.repetitions; ++repetition) {
     const double begun_us = threadTime_us();
     equalised = equaliseViews(made.views, equalising, noProgress());

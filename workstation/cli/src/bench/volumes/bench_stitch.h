@@ -17,7 +17,7 @@ struct StitchBenchOptions {
   std::uint64_t seed = 1;
 };
 
-/// Joins two speckled views of one scene (ew/phantom/speckled_view.h: other speckle, other gain and depth gain, a shadow in one) in every
+/// Joins two speckled views of one scene (ew/phantom/speckle_view.h: other speckle, other gain and depth gain, a shadow in one) in every
 /// way: seam method x cell x blend x block, after equalising them, on one thread by its processor time; two threads against one by the
 /// clock on the wall. Measure 20 says how visible the seam is. A seam without a blend and a feathered mean stand for what is usual.
 /// The result: {"machine", "side", "repetitions", "seed", "equalise": {"median_us", "before_db", "after_db"}, "results": [{"name",

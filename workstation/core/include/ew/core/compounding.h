@@ -16,7 +16,7 @@ enum class Interpolation { nearest, linear, centred };
 /// mean:    floor(sum of weight * value / sum of weight + 0.5). With linear, a voxel is measured when its weight exceeds 1e-9 pixels.
 /// maximum: the largest. A measured zero counts as measured.
 /// latest:  the last one in the order of the frames, and within a frame of rows and columns.
-/// weighted: as mean, each pixel counted with the weight its frame gives it (PosedFrame::weights). A voxel that only pixels of weight 0
+/// weighted: as mean, each pixel counted with the weight its frame gives it (TrackedFrame::weights). A voxel that only pixels of weight 0
 /// reach
 ///          is not measured. Equal weights give the voxels of the mean.
 /// For maximum and latest with linear, a pixel reaches those of the 8 voxels where its weight is at least 1/8, so always one.

@@ -52,9 +52,9 @@ ImageView<const T> viewOf(const Image<T>& image) {
 }
 
 template <class T>
-Image<T> copyOf(ImageView<const T> picture) {
-  Image<T> copy(picture.width, picture.height);
-  for (int y = 0; y < picture.height; ++y) std::copy_n(picture.row(y), picture.width, viewOf(copy).row(y));
+Image<T> copyOf(ImageView<const T> image) {
+  Image<T> copy(image.width, image.height);
+  for (int y = 0; y < image.height; ++y) std::copy_n(image.row(y), image.width, viewOf(copy).row(y));
   return copy;
 }
 

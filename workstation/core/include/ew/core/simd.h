@@ -8,7 +8,7 @@
 namespace ew {
 
 /// Makes the kernels of all libraries run on an instruction set: "avx3" (AVX-512), "avx2", "sse4", "scalar" (plain code), or "best" (empty
-/// means the same), the best one this processor has. For the whole process, threads that already work included; pictures are the same on
+/// means the same), the best one this processor has. For the whole process, threads that already work included; images are the same on
 /// each. Libraries of others (VTK, OpenCV, Ceres) choose for themselves.
 /// @error badUsage: another word, or an instruction set that this processor lacks
 [[nodiscard]] Result<void> useSimd(std::string_view word);

@@ -8,7 +8,7 @@
 
 namespace ew {
 
-/// The words that every object which leaves the program carries as a whole sentence, beside those burnt into its pictures.
+/// The words that every object which leaves the program carries as a whole sentence, beside those burnt into its images.
 inline constexpr const char* kSimulation = "Simulation, not for diagnosis.";
 
 /// A unique identifier of DICOM: "2.25." and a random UUID as a decimal number (PS3.5, B.2). At most 44 characters.
@@ -18,24 +18,24 @@ inline constexpr const char* kSimulation = "Simulation, not for diagnosis.";
 /// Digits and single points, no leading zeros, at most 64 characters (PS3.5, 9.1).
 [[nodiscard]] bool isDicomUid(std::string_view text);
 
-/// The invented patient that pictures and reports name.
-struct ExaminedPatient {
+/// The invented patient that images and reports name.
+struct PatientIdentity {
   std::string name;  ///< as people write it: "Maren Achterberg"
   std::string id;    ///< unique among all patients of all archives it may get to
   std::string sex;   ///< "female", "male", "other", ""
   std::optional<int> age_years;
-  bool operator==(const ExaminedPatient&) const = default;
+  bool operator==(const PatientIdentity&) const = default;
 };
 
-/// One examination (a study of DICOM): what pictures and reports that belong together have in common.
+/// One examination (a study of DICOM): what images and reports that belong together have in common.
 struct DicomStudy {
-  ExaminedPatient patient;
+  PatientIdentity patient;
   std::string title;      ///< as a trainee may read it
   std::string region;     ///< "upper abdomen"; or empty
   std::string operators;  ///< who scanned; or empty
   std::string studyUid;
-  std::string picturesUid;  ///< series of the pictures
-  std::string reportsUid;   ///< series of the reports
+  std::string imagesUid;   ///< series of the images
+  std::string reportsUid;  ///< series of the reports
   std::chrono::sys_seconds begun{};
   bool operator==(const DicomStudy&) const = default;
 };

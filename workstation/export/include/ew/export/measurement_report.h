@@ -15,7 +15,7 @@ struct MeasurementReportOptions {
   std::string instanceUid;  ///< of this object: newDicomUid()
   int number = 1;           ///< in its series, from 1
   std::chrono::sys_seconds made{};
-  std::vector<DicomReference> pictures = {};  ///< stored pictures of the same examination that the report goes with
+  std::vector<DicomReference> images = {};  ///< stored images of the same examination that the report goes with
 };
 
 inline constexpr const char* kComprehensiveSrClass = "1.2.840.10008.5.1.4.1.1.88.33";

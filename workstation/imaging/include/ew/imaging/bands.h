@@ -6,11 +6,11 @@
 
 namespace ew {
 
-/// Shares the rows of a picture between threads that stay ready between frames. Whatever is written by rows does not depend on the number
+/// Shares the rows of an image between threads that stay ready between frames. Whatever is written by rows does not depend on the number
 /// of threads. Running allocates nothing of its own; the threads and their tasks exist after the first run.
 class Bands {
  public:
-  /// @param threads that work on one picture, the caller's among them; 0: one per processor
+  /// @param threads that work on one image, the caller's among them; 0: one per processor
   explicit Bands(int threads = 1);
   ~Bands();
   Bands(Bands&&) noexcept;

@@ -45,7 +45,7 @@ struct BeamGrid {
 [[nodiscard]] glm::dvec2 lineAndSampleAt(const Probe& probe, const Knobs& knobs, const BeamGrid& grid, const glm::dvec2& p_mm,
                                          double look_rad = 0.0);
 
-/// The rows of samples that sampleRows takes to fill a (samples x lines) picture: row n of it is line n.
+/// The rows of samples that sampleRows takes to fill a (samples x lines) image: row n of it is line n.
 /// @param elevation_mm offset of each sample along the probe's z, as a straight line over depth: at the face and at the last sample
 /// @param rows resized to the lines of the grid
 void rowsOf(const BeamGrid& grid, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, glm::dvec2 elevation_mm,

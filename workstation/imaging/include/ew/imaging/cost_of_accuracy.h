@@ -14,7 +14,7 @@
 
 namespace ew {
 
-/// What one setting costs on this machine, and how far its pictures are from the exact ones.
+/// What one setting costs on this machine, and how far its images are from the exact ones.
 struct CostPoint {
   Knobs knobs;              ///< the setting: as asked for, but for what is varied
   double frame_ms = 0.0;    ///< median of whole frames, every effect of the scene included
@@ -46,8 +46,8 @@ struct CostOptions {
 /// act behind it and would hide or magnify them.
 /// @param echo  rows, perhaps with bricks beside them, which frames then read as elsewhere
 /// @param knobs, scene what is in use; noise, persistence and M-mode are left out, because with them frames of one pose differ
-/// @param width, height of the picture, >= 1
-/// @error cancelled (within 0.1 s, or the time of one frame), notRigid or badField for a pose that gives no picture, emptyVolume when the
+/// @param width, height of the image, >= 1
+/// @error cancelled (within 0.1 s, or the time of one frame), notRigid or badField for a pose that gives no image, emptyVolume when the
 ///        probe does not see enough of the volume to compare
 [[nodiscard]] Result<CostOfAccuracy> measureCostOfAccuracy(const SliceSource& echo, const Probe& probe, const Knobs& knobs,
                                                            const Scene& scene, const Pose& pose, int width, int height,

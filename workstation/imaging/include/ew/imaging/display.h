@@ -10,14 +10,14 @@
 
 namespace ew {
 
-/// Where the fan of a probe lies in the picture.
+/// Where the fan of a probe lies in the image.
 struct DisplayGeometry {
   int width = 0;
   int height = 0;
   double pixel_mm = 0.0;    ///< size of a pixel, the same in both directions
-  glm::dvec2 face_px{0.0};  ///< pixel coordinates of the probe frame's origin (may lie outside the picture when zoomed in)
-  bool markerLeft = true;   ///< the probe's +x points to the left of the picture
-  bool upsideDown = false;  ///< the probe's +y points to the top of the picture
+  glm::dvec2 face_px{0.0};  ///< pixel coordinates of the probe frame's origin (may lie outside the image when zoomed in)
+  bool markerLeft = true;   ///< the probe's +x points to the left of the image
+  bool upsideDown = false;  ///< the probe's +y points to the top of the image
   double depth_mm = 0.0;    ///< resolved: never 0
   bool operator==(const DisplayGeometry&) const = default;
   [[nodiscard]] Transform<frame::Probe, frame::Image> imageToProbe() const;
@@ -28,7 +28,7 @@ struct DisplayGeometry {
 /// The knobs' depth brought into the probe's range, or the probe's own where they name none, mm.
 [[nodiscard]] double resolvedDepth_mm(const Probe& probe, const Knobs& knobs);
 
-/// Which part of the fan a zoomed picture shows: its middle, from the middle of the whole fan, along the probe's +x and +y.
+/// Which part of the fan a zoomed image shows: its middle, from the middle of the whole fan, along the probe's +x and +y.
 struct Pan {
   double lateral_mm = 0.0;
   double axial_mm = 0.0;
@@ -39,7 +39,7 @@ struct Pan {
 [[nodiscard]] Pan panWithinFan(const Probe& probe, const Knobs& knobs, const Pan& pan);
 
 /// The largest scale at which the whole fan of `probe` down to the knobs' depth fits width x height with a small margin, then zoomed
-/// about the picture's middle and panned (as panWithinFan says). The middle of the face stays in the picture's middle column, so a fan that
+/// about the image's middle and panned (as panWithinFan says). The middle of the face stays in the image's middle column, so a fan that
 /// leans to one side is fitted as if it leant to both. A zoom outside 1..8 is brought to the nearer end.
 /// @param width, height pixels, >= 1
 [[nodiscard]] DisplayGeometry fitDisplay(const Probe& probe, const Knobs& knobs, int width, int height, const Pan& pan = {});

@@ -25,7 +25,7 @@ struct EchoWork {
 };
 
 /// @param scene with live echoes; brought within limits
-/// @param depth_mm of the picture, > 0
+/// @param depth_mm of the image, > 0
 [[nodiscard]] EchoWork echoWorkOf(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm);
 
 }  // namespace ew

@@ -11,10 +11,10 @@
 #include "ew/core/volume.h"
 #include "ew/imaging/beam_grid.h"
 #include "ew/imaging/display.h"
+#include "ew/imaging/display_image.h"
 #include "ew/imaging/effects/persistence.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/m_mode.h"
-#include "ew/imaging/picture.h"
 #include "ew/imaging/probe.h"
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slicing.h"
@@ -108,24 +108,24 @@ struct FrameMemory {
 /// Makes frames of one probe and one setting after another; owns the tables and scratch memory, so that a frame allocates nothing.
 class FrameMaker {
  public:
-  /// @param threads that work on one frame; 0: one per processor. Pictures do not depend on it.
+  /// @param threads that work on one frame; 0: one per processor. Images do not depend on it.
   explicit FrameMaker(int threads = 1);
   ~FrameMaker();
   FrameMaker(FrameMaker&&) noexcept;
   FrameMaker& operator=(FrameMaker&&) noexcept;
 
   /// Rebuilds what depends on these values, and only when they changed.
-  /// @param pan what a zoomed picture shows; the viewer's, not the machine's: it is no knob
+  /// @param pan what a zoomed image shows; the viewer's, not the machine's: it is no knob
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
                  bool hasLabels = false, const Pan& pan = {}, bool hasTissue = false, bool isRecorded = false);
 
-  /// The picture for one pose: black outside the fan and outside the volume. Its views stay valid until the next call.
-  /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; lastStatus() tells which happened.
-  Picture make(const FrameInput& input);
+  /// The image for one pose: black outside the fan and outside the volume. Its views stay valid until the next call.
+  /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black image; lastStatus() tells which happened.
+  DisplayImage make(const FrameInput& input);
   /// The same with everything touching, no labels, frame number 0.
-  Picture make(const VolumeView<const std::uint8_t>& volume, const Pose& pose);
+  DisplayImage make(const VolumeView<const std::uint8_t>& volume, const Pose& pose);
 
-  /// The M-mode strip, as wide and high as the picture; width 0 when the mode has none.
+  /// The M-mode strip, as wide and high as the image; width 0 when the mode has none.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const;
   [[nodiscard]] int stripCursor() const;
   /// The same with its clock.

@@ -16,8 +16,8 @@ enum class FocusMethod {
 /// How gain and TGC act. The values of the law that does not act are kept and do nothing.
 enum class GainLaw {
   automatic,  ///< what suits the scene (resolved.h): decibels for echoes formed anew, the paper's for a recorded volume
-  decibel,    ///< a machine's: `gain_db` and `tgc_db` along the beams, before the picture is made (effects/beam_gain.h)
-  paper,      ///< Eq. 3-5: `gain` and `dgc` are factors on grey levels, by rows of the picture (effects/gain.h)
+  decibel,    ///< a machine's: `gain_db` and `tgc_db` along the beams, before the image is made (effects/beam_gain.h)
+  paper,      ///< Eq. 3-5: `gain` and `dgc` are factors on grey levels, by rows of the image (effects/gain.h)
 };
 
 /// How grey levels are shown after the dynamic range; see effects/gain.h for the curves, resolved.h for what suits a scene.
@@ -50,7 +50,7 @@ struct Knobs {
   double dynamicRange_db = 0.0;  ///< shown about kMiddleGrey, 20..120; 0: the range the volume was recorded with
   GreyMap greyMap = GreyMap::automatic;
   double edgeEnhancement = 0.0;  ///< 0 (neutral)..1
-  double persistence = 0.0;      ///< share of the last picture that stays, 0 (neutral)..0.95
+  double persistence = 0.0;      ///< share of the last image that stays, 0 (neutral)..0.95
   int elevationPlanes = 5;       ///< planes the slice thickness is averaged over, odd, 3..9; acts when the scene has a slice thickness
   double steering_rad = 0.0;     ///< linear probes: towards +x, within the probe's largest
   bool trapezoid = false;        ///< linear probes: lines fan out to the probe's trapezoid angle; then steering does not act
@@ -59,7 +59,7 @@ struct Knobs {
   DisplayMode mode = DisplayMode::bMode;
   double mLine = 0.0;       ///< which beam M-mode follows: -1 at the face's -x end .. +1
   double mSweep_s = 4.0;    ///< time across the M-mode strip, 1..16
-  bool markerLeft = true;   ///< display only: the marked side (+x of the probe) at the left of the picture, as in general imaging
+  bool markerLeft = true;   ///< display only: the marked side (+x of the probe) at the left of the image, as in general imaging
   bool upsideDown = false;  ///< display only: the face at the bottom
   bool operator==(const Knobs&) const = default;
 };

@@ -5,7 +5,7 @@
 
 namespace ew {
 
-/// How long pictures took from pose to pixels: a histogram of fixed size, so that keeping it costs a frame nothing.
+/// How long images took from pose to pixels: a histogram of fixed size, so that keeping it costs a frame nothing.
 class LatencyHistogram {
  public:
   static constexpr int kBuckets = 64;  ///< logarithmic, four to a doubling from 16 us on
@@ -18,7 +18,7 @@ class LatencyHistogram {
   /// @param bucket 0..kBuckets - 1
   [[nodiscard]] static double edge_us(int bucket);
   [[nodiscard]] std::uint64_t inBucket(int bucket) const { return buckets_[static_cast<std::size_t>(bucket)]; }
-  /// The smallest edge that `share` (0..1) of the pictures do not exceed, or the longest time there was when that is less; 0 when there are
+  /// The smallest edge that `share` (0..1) of the images do not exceed, or the longest time there was when that is less; 0 when there are
   /// none. Good to a bucket (19 %).
   [[nodiscard]] double quantile_us(double share) const;
   [[nodiscard]] double max_us() const { return max_us_; }

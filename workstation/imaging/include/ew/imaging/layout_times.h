@@ -29,6 +29,6 @@ struct LayoutTimes {
 
 /// Times both in turns, for about 0.15 s of the calling thread.
 /// @param bricks made of `volume`
-[[nodiscard]] LayoutTimes timeLayouts(const VolumeView<const std::uint8_t>& volume, const BrickedVolume& bricks);
+[[nodiscard]] LayoutTimes timeLayouts(const VolumeView<const std::uint8_t>& volume, const BrickVolume& bricks);
 
 }  // namespace ew

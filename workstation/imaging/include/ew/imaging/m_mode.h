@@ -24,7 +24,7 @@ class MModeStrip {
   /// @param beam values from the face down, 0..255, stretched to the strip's height (effects/stretch.h); an empty one draws nothing
   void add(double time_s, std::span<const std::uint8_t> beam);
   void clear();
-  [[nodiscard]] ImageView<const std::uint8_t> picture() const;
+  [[nodiscard]] ImageView<const std::uint8_t> image() const;
   /// Column that is written next; an eighth of the strip, at most 6 columns, is black from here on, so that the seam is seen.
   [[nodiscard]] int cursor() const { return cursor_; }
 

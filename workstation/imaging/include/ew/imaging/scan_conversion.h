@@ -9,9 +9,9 @@
 
 namespace ew {
 
-/// Where each pixel of a picture finds its echo on the beam grid: made once for a probe, its depth and a picture, used for every frame.
+/// Where each pixel of an image finds its echo on the beam grid: made once for a probe, its depth and an image, used for every frame.
 struct ScanConversionTable {
-  int width = 0;  ///< of the picture
+  int width = 0;  ///< of the image
   int height = 0;
   int lines = 0;  ///< of the beam grid
   int samples = 0;
@@ -31,9 +31,9 @@ struct ScanConversionTable {
 [[nodiscard]] ScanConversionTable makeScanConversion(const Probe& probe, const Knobs& knobs, const BeamGrid& grid,
                                                      const DisplayGeometry& geometry);
 
-/// Bilinear scan conversion of rows [firstRow, firstRow + rows) of the picture; pixels outside the spans are left as they are. Levels are
+/// Bilinear scan conversion of rows [firstRow, firstRow + rows) of the image; pixels outside the spans are left as they are. Levels are
 /// clamped to 0..255 and rounded.
 /// Cost: four loads and two blends a pixel.
-void scanConvert(const ScanConversionTable& table, ImageView<const float> beams, int firstRow, int rows, ImageView<std::uint8_t> picture);
+void scanConvert(const ScanConversionTable& table, ImageView<const float> beams, int firstRow, int rows, ImageView<std::uint8_t> image);
 
 }  // namespace ew

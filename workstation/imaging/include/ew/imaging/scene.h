@@ -23,7 +23,7 @@ struct FocusEffect {
   bool operator==(const FocusEffect&) const = default;
 };
 
-/// effects/slice_thickness.h: the picture is an average over the beam's elevational width.
+/// effects/slice_thickness.h: the image is an average over the beam's elevational width.
 struct SliceThicknessEffect {
   double scale = 1.0;  ///< of the probe's own thickness, 0.1..4
   bool operator==(const SliceThicknessEffect&) const = default;
@@ -81,7 +81,7 @@ struct LiveEchoesEffect {
   double receiveFNumber = 2.0;    ///< depth over aperture on reception, at least: near the face the aperture opens with depth, 1..4
   double lineFilterWidth = 1.0;   ///< how much neighbouring lines, added up, widen the beam, 1..3
   double lineAverage = 0.25;      ///< what each neighbouring line adds to the envelope of a line, 0..0.3
-  double gain_db = 9.0;           ///< between the levels of the maps and those of the picture, -30..30
+  double gain_db = 9.0;           ///< between the levels of the maps and those of the image, -30..30
   double texture_db = 1.2;        ///< scatter of the scatterers' strength beside speckle, standard deviation of a normal one, 0..6
   double fragmentsPerCm3 = 37.0;  ///< little walls and fissures too small for maps, of all directions, 0..37; few are seen from one side
   double fragment_db = 16.0;      ///< their echo above the tissue around them, where they lie square to the beam, -20..40

@@ -12,7 +12,7 @@ namespace ew {
 
 class FrameStack;
 
-/// Voxels as the slicers read them, in one layout or in both; someone else owns the memory. Pictures are the same from both.
+/// Voxels as the slicers read them, in one layout or in both; someone else owns the memory. Images are the same from both.
 struct SliceSource {
   const std::uint8_t* voxels = nullptr;
   Grid grid;
@@ -31,7 +31,7 @@ struct SliceSource {
 
 /// A copy of a volume in bricks, and of coarser levels for zooming out when asked for: level n halves level n - 1 by means of 2 x 2 x 2
 /// voxels.
-class BrickedVolume {
+class BrickVolume {
  public:
   /// The finest level, with `grid` in place of the volume's own place in the world (same dims).
   [[nodiscard]] SliceSource source(const Grid& placed) const;
@@ -44,16 +44,15 @@ class BrickedVolume {
   glm::ivec3 dims_{0};
   std::vector<std::uint8_t> bricks_;                ///< the finest level, in large pages
   std::vector<std::vector<std::uint8_t>> coarser_;  ///< in rows
-  friend Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>&, int levels, int threads, Progress&);
+  friend Result<BrickVolume> bricksOf(const VolumeView<const std::uint8_t>&, int levels, int threads, Progress&);
 };
 
 /// @param levels >= 1: the finest in bricks, and levels - 1 coarser ones
 /// @error cancelled (within 0.1 s), tooLarge (no memory)
-[[nodiscard]] Result<BrickedVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int levels, int threads, Progress& progress);
+[[nodiscard]] Result<BrickVolume> bricksOf(const VolumeView<const std::uint8_t>& volume, int levels, int threads, Progress& progress);
 
 /// Rows, and bricks made of them: each slice reads what `choice` says (timeLayouts makes one).
-[[nodiscard]] SliceSource inBothLayouts(const VolumeView<const std::uint8_t>& rows, const BrickedVolume& bricks,
-                                        const LayoutChoice& choice);
+[[nodiscard]] SliceSource inBothLayouts(const VolumeView<const std::uint8_t>& rows, const BrickVolume& bricks, const LayoutChoice& choice);
 
 /// Bytes that bricksOf holds for a volume of these dims.
 [[nodiscard]] std::uint64_t bricksForecast_bytes(const glm::ivec3& dims, int levels);

@@ -41,9 +41,9 @@ struct SliceScratch {
 
 /// Samples the plane z = 0 of the image frame by replicating a voxelized template line along a voxelized base line (weaving). A pixel
 /// outside the volume becomes 0. Each row is clipped once; a pixel costs one load from the volume.
-/// @param source       voxels; one without voxels gives a black picture
+/// @param source       voxels; one without voxels gives a black image
 /// @param imageToVoxel affine, pixel centres at integer coordinates; a matrix that is not finite or reaches beyond 2^30 voxels gives a
-///                     black picture
+///                     black image
 /// Source: Aiger & Cohen-Or 1998, Eq. 1, Fig. 3-4. Ours differs: base and template keep their fractions (31 bits), and where the two
 /// together reach a whole voxel the offset carries one stride. The sum of two separately rounded lines can miss the plane by a whole
 /// voxel along each axis; with the carry every pixel is the voxel nearest to its centre, so no pixel shows a voxel that the plane does
@@ -73,7 +73,7 @@ void slice(Quality quality, const SliceSource& source, const Transform<frame::Vo
            std::span<const std::vector<RowSpan>> spans, ImageView<std::uint8_t> out, SliceScratch& scratch);
 
 /// The rows firstRow .. firstRow + rowCount - 1 alone: what the threads of a Bands do, each with a scratch of its own. Every pixel is the
-/// one that the whole picture has there.
+/// one that the whole image has there.
 void sliceBand(Quality quality, const SliceSource& source, const Transform<frame::Voxel, frame::Image>& imageToVoxel,
                std::span<const std::vector<RowSpan>> spans, int firstRow, int rowCount, ImageView<std::uint8_t> out, SliceScratch& scratch);
 

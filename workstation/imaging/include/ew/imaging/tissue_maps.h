@@ -39,7 +39,7 @@ struct TissueMaps {
   std::vector<std::uint8_t> surfaceKind;
   std::vector<ReflectingSurface> surfaces;
 
-  /// The level is that of a recorded volume (tissue_level.h), on the volume's grid: pictures may keep the volume's own grain.
+  /// The level is that of a recorded volume (tissue_level.h), on the volume's grid: images may keep the volume's own grain.
   bool isRecorded = false;
 
   static constexpr double kDistanceStepsPerMm = 32.0;

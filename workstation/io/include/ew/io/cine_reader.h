@@ -16,45 +16,45 @@
 
 namespace ew {
 
-/// What pictures in the order of time come from.
+/// What images in the order of time come from.
 enum class CineKind {
   film,       ///< .mp4, .avi, .mov, .mkv, .mpg, .wmv, .ts, by content
   dicomFilm,  ///< MPEG-2, H.264 or HEVC inside DICOM
   dicom,      ///< other DICOM stills and cines
   pages,      ///< a TIFF, its pages one after the other
   sequence,   ///< .igs.mha, .igs.nrrd ... with images
-  pictures    ///< a folder of pictures, or one of several numbered pictures
+  images      ///< a folder of images, or one of several numbered images
 };
 [[nodiscard]] const char* nameOf(CineKind kind);
 
-/// One picture of a cine.
+/// One image of a cine.
 struct CineFrame {
   GreyImage level;                          ///< luminance (ITU-R BT.601) of colours, other levels as stored
   std::vector<std::uint8_t> coloured = {};  ///< like level.pixels: 1 where red, green and blue differ by more than 24; empty: nowhere
-  RgbImage colour = {};                     ///< with `coloured`, the picture as it was; else empty
+  RgbImage colour = {};                     ///< with `coloured`, the image as it was; else empty
   double time_s = 0.0;                      ///< from the first frame on, never running backwards
 };
 
 /// A part of the frames, and how large its pixels are by the file itself.
-struct StatedScale {
+struct PixelScale {
   PixelRect rect = {};
   glm::dvec2 pixel_mm{0.0};  ///< of the frames that are given both are alike
-  bool operator==(const StatedScale&) const = default;
+  bool operator==(const PixelScale&) const = default;
 };
 
 struct CineInfo {
   CineKind kind = CineKind::film;
   int width_px = 0;  ///< of the frames that are given: upright, with square pixels
   int height_px = 0;
-  Orientation orientation = {};          ///< that the file states
-  double pixelAspect = 1.0;              ///< how much wider than high the file says a stored pixel is
-  std::uint64_t frames = 0;              ///< that the file promises or lets guess; 0: it does not say
-  bool framesGuessed = false;            ///< from duration and rate: of a film of varying rate `frames` may be far off
-  double rate_hz = 0.0;                  ///< that the file promises; 0: it does not say
-  bool timesKnown = false;               ///< false: frames are counted at rate_hz, or 25 a second
-  double assumedRate_hz = 0.0;           ///< at which frames are counted because nothing states their times, as a note says; 0: none
-  std::vector<StatedScale> scales = {};  ///< calibrated parts: the B-mode regions of DICOM, or the whole by its Pixel Spacing
-  Removed removed = {};                  ///< fields left behind
+  Orientation orientation = {};         ///< that the file states
+  double pixelAspect = 1.0;             ///< how much wider than high the file says a stored pixel is
+  std::uint64_t frames = 0;             ///< that the file promises or lets guess; 0: it does not say
+  bool framesGuessed = false;           ///< from duration and rate: of a film of varying rate `frames` may be far off
+  double rate_hz = 0.0;                 ///< that the file promises; 0: it does not say
+  bool timesKnown = false;              ///< false: frames are counted at rate_hz, or 25 a second
+  double assumedRate_hz = 0.0;          ///< at which frames are counted because nothing states their times, as a note says; 0: none
+  std::vector<PixelScale> scales = {};  ///< calibrated parts: the B-mode regions of DICOM, or the whole by its Pixel Spacing
+  Removed removed = {};                 ///< fields left behind
   std::vector<Message> notes = {};
 };
 
@@ -69,17 +69,17 @@ struct CineInfo {
 /// it meets the first.
 ///
 /// Frames come upright, as the file says that they are to be seen (the matrix of a film's track, Exif of a JPEG, the tag of a TIFF), and
-/// with square pixels: where the file says that they are not square, pictures are stretched along the side that is short of them.
+/// with square pixels: where the file says that they are not square, images are stretched along the side that is short of them.
 ///
 /// A file that is damaged further on gives what comes before that; brokenOff() then says in one sentence how far it went. What a decoder
 /// hides (a film's damaged macro blocks) is not seen.
 class CineReader {
  public:
-  /// @param asked to turn and mirror the pictures on top of what the file says
+  /// @param asked to turn and mirror the images on top of what the file says
   /// @param rate_hz of the frames, instead of what the file says or what is assumed
   /// @error notFound, notReadable, badHeader (nothing of it can be read), truncated, tooLarge, unsupported, cancelled
   [[nodiscard]] static Result<CineReader> open(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                               const ReadLimits& limits = {}, const Orientation& asked = {},
+                                               const ReaderLimits& limits = {}, const Orientation& asked = {},
                                                const std::optional<double>& rate_hz = {});
   ~CineReader();
   CineReader(CineReader&&) noexcept;

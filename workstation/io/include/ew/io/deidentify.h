@@ -17,7 +17,7 @@ namespace ew {
 struct Removed {
   std::vector<Message> fields;            ///< "(0010,0010) Patient's Name" ...; what was there and can name a person, a place or a time
   std::uint64_t privateFields = 0;        ///< fields of makers, dropped whatever they hold
-  std::vector<PixelRect> blankedOutside;  ///< what was kept of each picture; everything around it was cut away
+  std::vector<PixelRect> blankedOutside;  ///< what was kept of each image; everything around it was cut away
   std::vector<PixelRect> blanked;         ///< rectangles the user named, made black
   std::uint64_t pixelsPerFrame = 0;       ///< cut away or blanked, of each frame
   bool operator==(const Removed&) const = default;
@@ -27,7 +27,7 @@ struct Removed {
 /// The report as sentences for a person.
 [[nodiscard]] std::vector<Message> sentencesOf(const Removed& removed);
 
-/// Makes the rectangles black in every frame of (frames x height x width) pixels; parts outside the picture are ignored.
+/// Makes the rectangles black in every frame of (frames x height x width) pixels; parts outside the image are ignored.
 /// @return pixels of one frame that were made black
 std::uint64_t blank(std::span<std::uint8_t> pixels, int width, int height, std::span<const PixelRect> rects);
 

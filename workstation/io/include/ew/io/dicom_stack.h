@@ -9,7 +9,7 @@
 
 namespace ew {
 
-/// The DICOM files with pictures of a folder, whatever their endings, in the order of their names; empty where there are none.
+/// The DICOM files with images of a folder, whatever their endings, in the order of their names; empty where there are none.
 [[nodiscard]] std::vector<std::filesystem::path> dicomFilesIn(const std::filesystem::path& folder);
 
 struct DicomStackOptions {
@@ -27,15 +27,15 @@ struct DicomStackOptions {
 ///        grid, coloured or with burned-in text and not told what to do: asked; stills are missing: "ask": "accept-small"), badField,
 ///        tooLarge, and as readDicomCine of one file
 [[nodiscard]] Result<StackVolume> readDicomStack(const std::filesystem::path& folder, const DicomStackOptions& options = {},
-                                                 Progress& progress = noProgress(), const ReadLimits& limits = {});
+                                                 Progress& progress = noProgress(), const ReaderLimits& limits = {});
 
 /// One of the stills, to look at, with all its text; the spacing where the stills say it.
-struct DicomStackPicture {
+struct DicomStackImage {
   GreyImage level;
   std::optional<glm::dvec3> spacing_mm;
 };
 /// @error as readDicomStack
-[[nodiscard]] Result<DicomStackPicture> readFirstOfDicomStack(const std::filesystem::path& folder, Progress& progress = noProgress(),
-                                                              const ReadLimits& limits = {});
+[[nodiscard]] Result<DicomStackImage> readFirstOfDicomStack(const std::filesystem::path& folder, Progress& progress = noProgress(),
+                                                            const ReaderLimits& limits = {});
 
 }  // namespace ew

@@ -32,7 +32,7 @@ inline constexpr std::string_view kThetaStart = "ScanConversionThetaStartDeg";
 inline constexpr std::string_view kThetaStop = "ScanConversionThetaStopDeg";
 inline constexpr std::string_view kImagingDepth = "ScanConversionImagingDepthMm";        ///< linear
 inline constexpr std::string_view kTransducerWidth = "ScanConversionTransducerWidthMm";  ///< linear, between the outermost lines
-/// Of the picture the lines are meant to become (orientation MF), for which the recording's ImageToProbe holds.
+/// Of the image the lines are meant to become (orientation MF), for which the recording's ImageToProbe holds.
 inline constexpr std::string_view kOutputSpacing = "ScanConversionOutputImageSpacingMmPerPixel";  ///< two numbers
 inline constexpr std::string_view kOutputSize = "ScanConversionOutputImageSizePixel";             ///< two numbers
 inline constexpr std::string_view kTransducerCentre = "ScanConversionTransducerCenterPixel";      ///< the middle of the face, two numbers

@@ -7,7 +7,7 @@
 
 namespace ew {
 
-/// Writes an 8 bit picture as .png, or as a two-dimensional .mha whose spacing is pixel_mm; complete or not at all.
+/// Writes an 8 bit image as .png, or as a two-dimensional .mha whose spacing is pixel_mm; complete or not at all.
 /// @error notWritable, unsupported (ending)
 [[nodiscard]] Result<void> writeImage(ImageView<const std::uint8_t> image, double pixel_mm, const std::filesystem::path& file);
 /// The same in colour: .mha with three channels.

@@ -36,6 +36,6 @@ struct KretzVolume {
 /// @error notFound, notReadable, badHeader, badField, truncated, tooLarge, unsupported (wavelet compression, no B-mode volume),
 ///        missingCalibration (several volumes, none chosen), cancelled
 [[nodiscard]] Result<KretzVolume> readKretz(const std::filesystem::path& file, const KretzOptions& options = {},
-                                            Progress& progress = noProgress(), const ReadLimits& limits = {});
+                                            Progress& progress = noProgress(), const ReaderLimits& limits = {});
 
 }  // namespace ew

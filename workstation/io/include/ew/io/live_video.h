@@ -9,7 +9,7 @@
 
 namespace ew {
 
-/// Pictures of a camera as they come, or of a film one after another, in grey. The libraries for it are loaded when the first is opened.
+/// Images of a camera as they come, or of a film one after another, in grey. The libraries for it are loaded when the first is opened.
 class LiveVideo {
  public:
   struct Asked {
@@ -18,12 +18,12 @@ class LiveVideo {
     int width_px = 1280, height_px = 720;
     double rate_hz = 30.0;
   };
-  struct Picture {
+  struct DisplayImage {
     ImageView<const std::uint8_t> grey;  ///< valid until the next call
     double stamp_s = 0.0;                ///< when it was exposed, by the driver's clock; not above 0: not known
     double arrival_s = 0.0;              ///< std::chrono::steady_clock, before it was decoded
   };
-  enum class Next { picture, notYet, gone };
+  enum class Next { image, notYet, gone };
 
   /// Null: the camera or film cannot be opened; why, the device file says to who asks the system.
   /// @error unsupported (a part of the program is missing)
@@ -33,7 +33,7 @@ class LiveVideo {
   LiveVideo& operator=(const LiveVideo&) = delete;
 
   /// Waits for a camera for `wait_s` at most; a film is read at once. `gone`: the film is over, or the camera was pulled out.
-  [[nodiscard]] Next next(double wait_s, Picture& picture);
+  [[nodiscard]] Next next(double wait_s, DisplayImage& image);
   [[nodiscard]] double rate_hz() const { return rate_hz_; }  ///< 0: it does not say
 
  private:

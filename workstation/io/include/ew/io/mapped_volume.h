@@ -20,7 +20,7 @@ struct MapOptions {
 /// A volume that stays in its file: echo levels are read by the page as a slicer asks for them, whatever the size of the file. Reads as
 /// one in memory does, pixel by pixel. Read-only; moving it keeps the voxels where they are.
 ///
-/// The file must stay as it is. Other bytes written into it show up in the picture; unchanged() tells. A file that is cut shorter takes the
+/// The file must stay as it is. Other bytes written into it show up in the image; unchanged() tells. A file that is cut shorter takes the
 /// pages away that are read next, which ends the program (SIGBUS): no file system offers a lock against that. Programs that replace
 /// a file by renaming a new one onto it, as this one does, do no harm.
 class MappedVolume {

@@ -8,7 +8,7 @@
 
 namespace ew {
 
-/// How a stored picture becomes one that is seen upright: turned clockwise, then mirrored left to right.
+/// How a stored image becomes one that is seen upright: turned clockwise, then mirrored left to right.
 struct Orientation {
   int quarterTurns = 0;  ///< clockwise, 0 to 3
   bool mirrored = false;
@@ -32,14 +32,14 @@ struct Orientation {
 /// The orientation that Exif data state: a TIFF header with its first directory. Upright where they state none, or cannot be read.
 [[nodiscard]] Orientation orientationOfExif(std::span<const std::uint8_t> tiff);
 /// The same of a JPEG (APP1) or PNG (eXIf) file's bytes.
-[[nodiscard]] Orientation orientationOfPicture(std::span<const std::uint8_t> file);
+[[nodiscard]] Orientation orientationOfImage(std::span<const std::uint8_t> file);
 
 /// Pixels as stored, row after row, put upright. @param width, height as stored, @param upright becomes as large
 template <class T>
 void putUpright(const std::vector<T>& stored, int width, int height, const Orientation& orientation, std::vector<T>& upright) {
   const int across = orientation.swapsSides() ? height : width, down = orientation.swapsSides() ? width : height;
   upright.resize(stored.size());
-  // One step to the right in the upright picture is so many to the right and down in the stored one, by its turns; one step down likewise.
+  // One step to the right in the upright image is so many to the right and down in the stored one, by its turns; one step down likewise.
   constexpr std::ptrdiff_t rightX[] = {1, 0, -1, 0}, rightY[] = {0, -1, 0, 1}, downX[] = {0, 1, 0, -1}, downY[] = {1, 0, -1, 0};
   const int turns = orientation.quarterTurns;
   const std::ptrdiff_t firstX = turns == 2 || turns == 3 ? width - 1 : 0, firstY = turns == 1 || turns == 2 ? height - 1 : 0;

@@ -36,14 +36,14 @@ struct RawLayout {
 /// Reads samples as the layout says. Whole files that are longer are read with a note; shorter ones are refused. The origin is the first
 /// voxel, which a note says.
 /// @error as readVolume; badUsage (a layout that cannot be)
-[[nodiscard]] Result<LoadedVolume> readRawVolume(const std::filesystem::path& file, const RawLayout& layout,
-                                                 Progress& progress = noProgress(), const ReadLimits& limits = {});
+[[nodiscard]] Result<VolumeReadResult> readRawVolume(const std::filesystem::path& file, const RawLayout& layout,
+                                                     Progress& progress = noProgress(), const ReaderLimits& limits = {});
 
-/// Layouts whose size fits the file exactly, the likelier first: types of 1, 2 and 4 bytes, usual header lengths, usual picture sizes. To
+/// Layouts whose size fits the file exactly, the likelier first: types of 1, 2 and 4 bytes, usual header lengths, usual image sizes. To
 /// be offered, never applied: their spacing is 0. @param most how many at most
 [[nodiscard]] std::vector<RawLayout> guessRawLayouts(std::uint64_t fileBytes, std::size_t most = 12);
 
-/// The three middle slices (x y, x z, y z) as grey pictures, reading no more than they need: for the third one a place of the file a
+/// The three middle slices (x y, x z, y z) as grey images, reading no more than they need: for the third one a place of the file a
 /// sample.
 /// @error as readRawVolume; cancelled
 struct RawPreview {

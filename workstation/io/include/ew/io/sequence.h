@@ -20,19 +20,19 @@
 namespace ew {
 
 /// A transform between two named coordinate frames as a tracker or a device set gives it ("Probe" to "Tracker").
-struct NamedTransform {
+struct FrameTransform {
   std::string from;
   std::string to;
   glm::dmat4 matrix{1.0};
   PoseStatus status = PoseStatus::ok;
-  bool operator==(const NamedTransform&) const = default;
+  bool operator==(const FrameTransform&) const = default;
 };
 
 /// What a tracked sequence says about one frame.
 struct SequenceFrame {
   std::optional<double> time_s;             ///< Timestamp; arbitrary zero, uneven, absent when the file says nothing
   PoseStatus imageStatus = PoseStatus::ok;  ///< ImageStatus, or Status in .nrrd; missing when the file says nothing about this frame
-  std::vector<NamedTransform> transforms;
+  std::vector<FrameTransform> transforms;
   std::vector<std::pair<std::string, std::string>>
       otherFields;  ///< per-frame fields the program does not know, in file order, without prefix
   bool operator==(const SequenceFrame&) const = default;
@@ -63,13 +63,13 @@ using SequenceCheck = std::function<Result<void>(const Sequence&)>;
 /// refuse before the pixels are read.
 /// @error notFound, notReadable, badHeader, badField, truncated, tooLarge, unsupported, cancelled; those of `beforePixels`
 [[nodiscard]] Result<Sequence> readSequence(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                            const ReadLimits& limits = {}, const SequenceCheck& beforePixels = {});
+                                            const ReaderLimits& limits = {}, const SequenceCheck& beforePixels = {});
 
 /// Reads a recording of poses without pixels. Where its end is missing, because a disk was full or a program ended in the middle, the
 /// frames that are whole are read, and a note says so: the last one begun may lack fields and is left out.
 /// @error as readSequence; unsupported when there are pixels
 [[nodiscard]] Result<Sequence> readPoseSequence(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                                const ReadLimits& limits = {});
+                                                const ReaderLimits& limits = {});
 
 /// Writes .igs.mha (compressed), complete or not at all.
 [[nodiscard]] Result<void> writeSequence(const Sequence& sequence, const std::filesystem::path& file, Progress& progress = noProgress());
@@ -84,7 +84,7 @@ using NextFrame = std::function<Result<std::span<const std::uint8_t>>()>;
 
 /// What a PLUS device set says about geometry and reconstruction.
 struct DeviceSet {
-  std::vector<NamedTransform> transforms;  ///< CoordinateDefinitions: calibration ("Image" to "Probe") and others
+  std::vector<FrameTransform> transforms;  ///< CoordinateDefinitions: calibration ("Image" to "Probe") and others
   std::optional<glm::dvec3> outputSpacing_mm;
   std::optional<glm::dvec2> clipOrigin_px;
   std::optional<glm::dvec2> clipSize_px;
@@ -122,9 +122,9 @@ struct DeviceSet {
 
 /// The transform from one named frame to another through any chain of the given ones (forwards or inverted); empty when there is no chain
 /// of usable transforms. The shortest chain wins.
-[[nodiscard]] std::optional<glm::dmat4> chain(std::span<const NamedTransform> transforms, std::string_view from, std::string_view to);
+[[nodiscard]] std::optional<glm::dmat4> chain(std::span<const FrameTransform> transforms, std::string_view from, std::string_view to);
 
 /// Names of all frames reachable from `from`, for messages.
-[[nodiscard]] std::vector<std::string> reachableFrom(std::span<const NamedTransform> transforms, std::string_view from);
+[[nodiscard]] std::vector<std::string> reachableFrom(std::span<const FrameTransform> transforms, std::string_view from);
 
 }  // namespace ew

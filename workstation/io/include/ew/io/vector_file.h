@@ -30,6 +30,6 @@ struct VectorField {
 
 /// Reads such a field, ours or another program's, from any file readVolume reads.
 /// @error as readVolume; badField (not 2 or 3 components, or numbers that are no floats)
-[[nodiscard]] Result<VectorField> readVectorField(const std::filesystem::path& file, const ReadLimits& limits = {});
+[[nodiscard]] Result<VectorField> readVectorField(const std::filesystem::path& file, const ReaderLimits& limits = {});
 
 }  // namespace ew

@@ -14,12 +14,12 @@
 namespace ew {
 
 /// What a reader may take from an untrusted file; sizes are checked before memory is taken.
-struct ReadLimits {
+struct ReaderLimits {
   std::uint64_t maxBytes = kLargestVolume_bytes;  ///< of samples in memory
 };
 
 /// A volume as read, with what the reader had to decide, in sentences for the user ("Spacing is 1 x 1 x 1 with …: treat as unknown").
-struct LoadedVolume {
+struct VolumeReadResult {
   Volume volume;
   std::vector<Message> notes;
   std::vector<Message> warnings = {};  ///< of the notes, those that make the result doubtful: samples that look like RF or IQ
@@ -36,8 +36,8 @@ struct VolumeReadOptions {
 /// linearly from their smallest..largest value to 0..255, and a note says so.
 /// @error notFound, notReadable, badHeader, badField (name, found, expected), truncated, tooLarge, unsupported, emptyVolume, cancelled,
 ///        badUsage (a time step that is not there)
-[[nodiscard]] Result<LoadedVolume> readVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                              const ReadLimits& limits = {}, const VolumeReadOptions& options = {});
+[[nodiscard]] Result<VolumeReadResult> readVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
+                                                  const ReaderLimits& limits = {}, const VolumeReadOptions& options = {});
 
 /// What a file promises, from its header alone.
 struct VolumeHeader {
@@ -50,8 +50,8 @@ struct VolumeHeader {
 
 /// Reads a volume of labels: each sample stands for itself, so nothing but one 8 bit unsigned value a voxel is taken.
 /// @error as readVolume; unsupported (another sample type, colours, a header that rescales)
-[[nodiscard]] Result<LoadedVolume> readLabelVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
-                                                   const ReadLimits& limits = {});
+[[nodiscard]] Result<VolumeReadResult> readLabelVolume(const std::filesystem::path& file, Progress& progress = noProgress(),
+                                                       const ReaderLimits& limits = {});
 
 struct WriteOptions {
   bool compress = true;  ///< .mha only; a .mhd + .raw is never compressed, so that it can be mapped

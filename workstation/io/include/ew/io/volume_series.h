@@ -12,8 +12,8 @@ namespace ew {
 struct VolumeSeries {
   std::uint64_t volumes = 1;  ///< one after the other; VolumeReadOptions::timeStep is 1 to this
   Grid grid;                  ///< of each
-  bool spacingKnown = true;   ///< as LoadedVolume::spacingKnown
-  Message spacingProblem;     ///< as LoadedVolume::spacingProblem
+  bool spacingKnown = true;   ///< as VolumeReadResult::spacingKnown
+  Message spacingProblem;     ///< as VolumeReadResult::spacingProblem
 };
 /// @error as readVolumeHeader; unsupported (a recorded sweep)
 [[nodiscard]] Result<VolumeSeries> readVolumeSeries(const std::filesystem::path& file);

@@ -5,7 +5,7 @@
 namespace ew::labelling {
 
 /// A closed contour as it was traced in an image plane.
-struct TracedContour {
+struct ContourTrace {
   Transform<frame::File, frame::Probe> planeToFile;  ///< rigid
   std::vector<glm::dvec2> points;                    ///< of the plane, mm; the last is joined to the first
 };
@@ -23,6 +23,6 @@ struct TracedContour {
 /// The order is found: along the direction in which the contours' middles lie farthest apart.
 /// @error badUsage (fewer than two contours of at least three points; two planes cross within their contours), cancelled; then nothing
 ///        changed
-[[nodiscard]] Result<VoxelBox> fillBetween(Volume& labels, std::span<const TracedContour> contours, const Brush& brush, Progress& progress);
+[[nodiscard]] Result<VoxelBox> fillBetween(Volume& labels, std::span<const ContourTrace> contours, const Brush& brush, Progress& progress);
 
 }  // namespace ew::labelling

@@ -57,13 +57,13 @@ void writeStepResult(const StepResult& result, nlohmann::json& into);
 /// How a step of an attempt ended.
 struct StepOutcome : StepResult {
   std::string stepId;
-  double seconds = 0.0;               ///< spent on the step, pauses left out
-  int hints = 0;                      ///< that were asked for
-  StepAnswer answer;                  ///< what was entered, by the step's kind
-  nlohmann::json otherAnswer;         ///< as it was read, where it is none of these or says more: kept as it is; null: `answer` says it all
-  std::string recording;              ///< of the scan during the step, relative to the attempt's folder; empty: none was made
-  std::vector<std::string> pictures;  ///< relative to the attempt's folder
-  std::chrono::sys_seconds at{};      ///< when it ended
+  double seconds = 0.0;             ///< spent on the step, pauses left out
+  int hints = 0;                    ///< that were asked for
+  StepAnswer answer;                ///< what was entered, by the step's kind
+  nlohmann::json otherAnswer;       ///< as it was read, where it is none of these or says more: kept as it is; null: `answer` says it all
+  std::string recording;            ///< of the scan during the step, relative to the attempt's folder; empty: none was made
+  std::vector<std::string> images;  ///< relative to the attempt's folder
+  std::chrono::sys_seconds at{};    ///< when it ended
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const StepOutcome&) const = default;
 
@@ -116,12 +116,12 @@ inline constexpr const char* kMasteryVariable = "ECHOWEAVE_MASTERY_SCORE";
 /// An attempt on disk: ROOT/ID/attempt.json and the files that it names. attempt.json is written whole or not at all whenever a step begins
 /// or ends; files of a step lie there before they are named. So a crash at any moment loses at most the step that was running, and
 /// `runningStep` says which. Folders are 0700 and files 0600 whatever the umask: another account reads nothing of it.
-class KeptAttempt {
+class AttemptFolder {
  public:
   /// Makes the folder. @param root need not be there yet. @error notWritable
-  [[nodiscard]] static Result<KeptAttempt> begin(const std::filesystem::path& root, Attempt attempt);
+  [[nodiscard]] static Result<AttemptFolder> begin(const std::filesystem::path& root, Attempt attempt);
   /// @error notFound, badHeader, badField, newerFormat
-  [[nodiscard]] static Result<KeptAttempt> open(const std::filesystem::path& folder);
+  [[nodiscard]] static Result<AttemptFolder> open(const std::filesystem::path& folder);
 
   [[nodiscard]] const Attempt& attempt() const { return attempt_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
@@ -141,7 +141,7 @@ class KeptAttempt {
   [[nodiscard]] std::string nameForFile(const std::string& stepId, const std::string& ending) const;
 
  private:
-  KeptAttempt(std::filesystem::path folder, Attempt attempt) : folder_(std::move(folder)), attempt_(std::move(attempt)) {}
+  AttemptFolder(std::filesystem::path folder, Attempt attempt) : folder_(std::move(folder)), attempt_(std::move(attempt)) {}
   [[nodiscard]] Result<void> keep(Attempt next);
 
   std::filesystem::path folder_;

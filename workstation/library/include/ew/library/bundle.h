@@ -64,7 +64,7 @@ struct BundleLimits : CaseFileLimits {
 /// @return the revision; wasThere when the library has this very content already, and nothing was done
 /// @error as readBundleHeader and loadCase; truncated, badField (also: a file is not as listed), unsupported, tooLarge, notWritable (also:
 ///        no room), cancelled (within 0.5 s); after any of them the library is as it was
-[[nodiscard]] Result<PublishedCase> importBundle(const std::filesystem::path& file, const std::filesystem::path& library,
-                                                 const BundleLimits& limits = {}, Progress& progress = noProgress());
+[[nodiscard]] Result<CaseRevision> importBundle(const std::filesystem::path& file, const std::filesystem::path& library,
+                                                const BundleLimits& limits = {}, Progress& progress = noProgress());
 
 }  // namespace ew

@@ -103,7 +103,7 @@ struct PreparationOptions {
   std::filesystem::path keepSweeps = {};  ///< a folder for the recordings (NAME.igs.mha) of the sweeps that are made; empty: not kept
   /// A case whose volume would have to be made first (mayBeDrafted) comes within seconds, and nothing is kept: volume and labels with
   /// voxels kDraftCoarseness times as wide, the maps of tissue from those on the case's own grid, so that the same place has the same
-  /// speckle once they are made. For pictures until then, and never to be judged by.
+  /// speckle once they are made. For images until then, and never to be judged by.
   bool draft = false;
 };
 inline constexpr int kDraftCoarseness = 3;

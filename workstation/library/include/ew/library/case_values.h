@@ -52,10 +52,10 @@ struct CaseVolume {
 
 /// What was examined before this examination.
 struct CaseExamination {
-  std::string when;                        ///< in words: "two years ago"
-  std::string kind;                        ///< "ultrasound", "laboratory" ...
-  std::string findings;                    ///< what it said
-  std::vector<std::string> pictures = {};  ///< files of the case folder ("media/2019-liver.png")
+  std::string when;                      ///< in words: "two years ago"
+  std::string kind;                      ///< "ultrasound", "laboratory" ...
+  std::string findings;                  ///< what it said
+  std::vector<std::string> images = {};  ///< files of the case folder ("media/2019-liver.png")
   nlohmann::json otherFields = nlohmann::json::object();
   bool operator==(const CaseExamination&) const = default;
 };
@@ -99,10 +99,10 @@ struct CaseMeasurement {
 };
 
 /// Of an examination: where everything is that its trainees may not read (sealed_answers.h).
-struct SealedReference {
+struct SealReference {
   std::string file;    ///< in the case folder: "answers.sealed"
   std::string sha256;  ///< of that file, 64 hexadecimal digits
-  bool operator==(const SealedReference&) const = default;
+  bool operator==(const SealReference&) const = default;
 };
 
 /// The manifest of a case folder: case.json, checked against resources/schemas/case.schema.json.
@@ -129,8 +129,8 @@ struct Case {
   std::vector<std::string> probes;  ///< ids; the first is the default; empty: all
   Scene scene;
   std::optional<Pose> startPose;                          ///< where a trainee begins; gives no finding away
-  std::optional<Pose> expertPose;                         ///< where an expert would have the finding in the picture
-  std::optional<SealedReference> sealed = {};             ///< of an examination: nothing that trainees may not read is in the other fields
+  std::optional<Pose> expertPose;                         ///< where an expert would have the finding in the image
+  std::optional<SealReference> sealed = {};               ///< of an examination: nothing that trainees may not read is in the other fields
   nlohmann::json otherFields = nlohmann::json::object();  ///< kept as they are
 
   std::filesystem::path folder;  ///< where it was read from; not saved

@@ -23,7 +23,7 @@ struct FirstLook {
 /// Whether an image of that depth shows a volume neither as a stamp nor cut off: two fifths of it at least, and no more than 1.4 times it.
 [[nodiscard]] bool showsWhole(const PlacingShape& shape, double depth_mm);
 
-/// The probe for the body's surface whose depth at start, face and kind of picture (straight or fanning out) come nearest to the volume's.
+/// The probe for the body's surface whose depth at start, face and kind of image (straight or fanning out) come nearest to the volume's.
 /// @return empty where there is no such probe, or no volume
 [[nodiscard]] std::optional<FirstLook> firstLookAt(const PlacingShape& shape, std::span<const Probe> probes);
 

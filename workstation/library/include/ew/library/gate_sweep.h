@@ -36,11 +36,11 @@ struct SweepGate {
 
 /// Finds the cycles of a recording, all of its frames used, and the phases of those with a pose.
 /// @error as recordedSignal, findHeartBeats, findBreaths or findCyclesInImages of the signal asked for; of the images with automatic
-[[nodiscard]] Result<SweepGate> gateSweep(const OpenedSweep& opened, const GateOptions& options, Progress& progress);
+[[nodiscard]] Result<SweepGate> gateSweep(const SweepInput& opened, const GateOptions& options, Progress& progress);
 
 /// Reconstructs one volume per phase, all on the plan's grid, and hands each to `keep`.
 /// @error as framesOfPhase and reconstructPhases; tooLarge when the plan does not fit
-[[nodiscard]] Result<Grid> importPhases(const OpenedSweep& opened, const SweepGate& gate, int phases, const KeepPhase& keep,
+[[nodiscard]] Result<Grid> importPhases(const SweepInput& opened, const SweepGate& gate, int phases, const KeepPhase& keep,
                                         Progress& progress);
 
 }  // namespace ew

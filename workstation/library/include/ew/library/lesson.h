@@ -27,10 +27,10 @@ struct LessonAids {
   bool operator==(const LessonAids&) const = default;
 };
 
-/// Something to read, perhaps with a picture.
-struct ReadTask {
-  std::string picture;  ///< relative to the section's folder ("media/liver.png"), or empty
-  bool operator==(const ReadTask&) const = default;
+/// Something to read, perhaps with an image.
+struct ReadingTask {
+  std::string image;  ///< relative to the section's folder ("media/liver.png"), or empty
+  bool operator==(const ReadingTask&) const = default;
 };
 
 /// A moment of an expert's scan, with what is to be seen there.
@@ -115,7 +115,7 @@ struct FreeTask {
   bool operator==(const FreeTask&) const = default;
 };
 
-using LessonTask = std::variant<ReadTask, WatchTask, PlaneTask, SweepTask, MeasureTask, PointTask, SettingsTask, AnswerTask, FreeTask>;
+using LessonTask = std::variant<ReadingTask, WatchTask, PlaneTask, SweepTask, MeasureTask, PointTask, SettingsTask, AnswerTask, FreeTask>;
 
 /// The words of files for the kinds of steps, in the order of LessonTask: "read", "watch", "plane", "sweep", "measure", "point",
 /// "settings", "answer", "free".

@@ -32,7 +32,7 @@ using CaseById = std::function<const Case*(const std::string& id)>;
 /// "Struktur". Nobody wrote it, and a trainee would read it.
 [[nodiscard]] bool isGivenName(std::string_view name);
 
-/// Recordings and pictures in parts/lessons that no lesson of the case names, relative to it, sorted: earlier takes, mostly. They stay
+/// Recordings and images in parts/lessons that no lesson of the case names, relative to it, sorted: earlier takes, mostly. They stay
 /// until somebody decides, for a step of undo or an edit that a crash has interrupted may name them again.
 [[nodiscard]] std::vector<std::string> unusedLessonFiles(const Case& home);
 

@@ -20,7 +20,7 @@
 
 namespace ew {
 
-/// A volume in a file: .mha, .mhd, .nrrd, .nii, DICOM, Kretz, pictures; whatever importFile reads.
+/// A volume in a file: .mha, .mhd, .nrrd, .nii, DICOM, Kretz, images; whatever importFile reads.
 struct VolumeFile {
   std::filesystem::path file;
   ImportAnswers answers = {};                ///< what the file does not say (askedFor tells what is missing)
@@ -71,7 +71,7 @@ struct NewCase {
   std::string mannequin;  ///< empty: the template's, or the default
   std::string attribution;
   std::string licence;
-  bool makesLevel = true;  ///< for live echoes; false: the picture stays the recorded one
+  bool makesLevel = true;  ///< for live echoes; false: the image stays the recorded one
 };
 
 struct NewCasePlan {
@@ -94,7 +94,7 @@ struct NewCasePlan {
 [[nodiscard]] Result<NewCasePlan> planOfSource(const CaseSource& source, Progress& progress = noProgress());
 
 /// A case that was made, and what is to be told about it.
-struct MadeCase {
+struct CaseCreation {
   Case made;  ///< with its folder
   std::vector<Message> notes = {};
   std::optional<SweepCounts> frames = {};  ///< of a sweep
@@ -106,10 +106,10 @@ struct MadeCase {
 /// @param folder new, or empty; the case's id is made from its name
 /// @error notWritable (the folder holds something), badField (no title, an unknown template, a licence or attribution that is too long),
 ///        as openSweep and importSweep, importFile, addVolumeFile, runChain, levelOf; tooLarge; cancelled within 0.5 s
-[[nodiscard]] Result<MadeCase> makeCase(const NewCase& wanted, const std::filesystem::path& folder, Progress& progress = noProgress());
+[[nodiscard]] Result<CaseCreation> makeCase(const NewCase& wanted, const std::filesystem::path& folder, Progress& progress = noProgress());
 
 /// A case with another volume. case.json is not written: whoever edits the case saves it, or leaves it.
-struct GivenVolume {
+struct VolumeReplacement {
   Case edited;                       ///< the same case; targets and measurements that only the old volume knew are left out
   std::size_t lostTargets = 0;       ///< that were left out
   std::size_t lostMeasurements = 0;  ///< the same of measurements
@@ -120,7 +120,7 @@ struct GivenVolume {
 /// to have another. The placement stays when there was a volume; else it is as makeCase chooses it.
 /// @param opened with its folder, which is the author's own
 /// @error as makeCase; badUsage (a source without a volume)
-[[nodiscard]] Result<GivenVolume> giveVolume(const Case& opened, const CaseSource& source, Progress& progress = noProgress());
+[[nodiscard]] Result<VolumeReplacement> giveVolume(const Case& opened, const CaseSource& source, Progress& progress = noProgress());
 
 /// Whom to name for the recording, and under which licence it may be passed on; they stand in Case::otherFields.
 struct RecordingRights {

@@ -18,7 +18,7 @@
 
 namespace ew {
 
-/// Which directions of a volume's own file are those of the probe that recorded it. Without knowledge: a picture from the front of a
+/// Which directions of a volume's own file are those of the probe that recorded it. Without knowledge: an image from the front of a
 /// patient in LPS, marker to the right.
 struct SweepAxes {
   glm::dvec3 depth{0.0, 1.0, 0.0};     ///< away from the probe; unit vector
@@ -27,7 +27,7 @@ struct SweepAxes {
 };
 
 /// The mean directions of the frames of a recording, made orthogonal; nothing when they cancel out.
-[[nodiscard]] std::optional<SweepAxes> sweepAxesOf(std::span<const PosedFrame> frames);
+[[nodiscard]] std::optional<SweepAxes> sweepAxesOf(std::span<const TrackedFrame> frames);
 
 /// What a case says of its volume ("volume.depth_direction", "volume.lateral_direction"); nothing where it does not.
 [[nodiscard]] std::optional<SweepAxes> sweepAxesOf(const Case& placed);

@@ -41,7 +41,7 @@ struct Examination {
 /// @param folder new
 /// @error as loadCase, loadCaseVolume and sumsOfCase; badUsage (no key, an id that cannot be one, no lesson with a question); badField (no
 ///        title for trainees, a step that scans another case, a mannequin of the case's own); unsupported (a case that is an examination
-///        already, a picture that is neither PNG nor JPEG); notWritable, cancelled
+///        already, an image that is neither PNG nor JPEG); notWritable, cancelled
 [[nodiscard]] Result<Examination> makeExamination(const std::filesystem::path& caseFolder, const std::filesystem::path& folder,
                                                   const ExaminationOptions& options, Progress& progress = noProgress());
 
@@ -57,7 +57,7 @@ struct OriginalLesson {
   bool operator==(const OriginalLesson&) const = default;
 };
 
-struct OpenedExamination {
+struct OpenExamination {
   std::filesystem::path folder;  ///< of the whole case again
   std::string caseId;            ///< its own
   std::string examinationId;
@@ -70,27 +70,27 @@ struct OpenedExamination {
 /// @error notFound, notReadable, badHeader, newerFormat; badUsage (the key is another's: with the short names of those that fit); badField
 /// (something was changed,
 ///        in answers.sealed or in what trainees may read, or they are of two revisions); notWritable, cancelled: then there is no folder
-[[nodiscard]] Result<OpenedExamination> openExamination(const std::filesystem::path& examinationFolder, const SecretKey& key,
-                                                        const std::filesystem::path& folder, Progress& progress = noProgress());
+[[nodiscard]] Result<OpenExamination> openExamination(const std::filesystem::path& examinationFolder, const SecretKey& key,
+                                                      const std::filesystem::path& folder, Progress& progress = noProgress());
 
 /// An attempt at an examination as one at the case itself: its ids are the case's, so that it can be judged. Raw data stay as they are.
 /// @error badField (it is an attempt at something else, at another revision of the answers, or names a step that there is not)
-[[nodiscard]] Result<Attempt> asAttemptAtTheCase(const Attempt& attempt, const OpenedExamination& opened);
+[[nodiscard]] Result<Attempt> asAttemptAtTheCase(const Attempt& attempt, const OpenExamination& opened);
 
 /// Copies an attempt, with the files its steps name, as one at the case itself. The trainee's own stays as it is.
 /// @param attempts a folder of attempts; the copy is ATTEMPTS/ID
-/// @return the copy @error as KeptAttempt::open, asAttemptAtTheCase, KeptAttempt::begin; notWritable, cancelled
-[[nodiscard]] Result<std::filesystem::path> takeExamined(const std::filesystem::path& attemptFolder, const OpenedExamination& opened,
+/// @return the copy @error as AttemptFolder::open, asAttemptAtTheCase, AttemptFolder::begin; notWritable, cancelled
+[[nodiscard]] Result<std::filesystem::path> takeExamined(const std::filesystem::path& attemptFolder, const OpenExamination& opened,
                                                          const std::filesystem::path& attempts, Progress& progress = noProgress());
 
 /// "sealed_answers" of an attempt's otherFields: the SHA-256 of the answers it is to be judged by; empty: an attempt at no examination.
 [[nodiscard]] std::string sealedAnswersOf(const Attempt& attempt);
 /// Of a copy that takeExamined made: what the trainee tried. Else the case and lesson of the attempt itself.
-struct TriedAs {
+struct TrialIdentity {
   std::string caseId, lessonId;
-  bool operator==(const TriedAs&) const = default;
+  bool operator==(const TrialIdentity&) const = default;
 };
-[[nodiscard]] TriedAs triedAs(const Attempt& attempt);
+[[nodiscard]] TrialIdentity triedAs(const Attempt& attempt);
 [[nodiscard]] Attempt withSealedAnswers(Attempt attempt, const std::string& sha256);
 
 }  // namespace ew

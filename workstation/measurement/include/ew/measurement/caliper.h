@@ -15,7 +15,7 @@
 
 namespace ew::measurement {
 
-/// What calipers measure. Points lie in the plane of the picture: mm of the probe frame, x lateral, y depth. Those of kinds for the strip
+/// What calipers measure. Points lie in the plane of the image: mm of the probe frame, x lateral, y depth. Those of kinds for the strip
 /// lie in that of an M-mode: x in s on the scan's clock, y depth along the beam in mm.
 enum class CaliperKind {
   distance,       ///< one part: two points
@@ -25,7 +25,7 @@ enum class CaliperKind {
   trace,          ///< one part: three or more points, joined and closed
   angle,          ///< one part: a point, the vertex, a point; or four, two lines of two points
   ratio,          ///< two parts of two points: the first distance over the second
-  ellipsoid,      ///< three parts of two points, of two pictures: pi / 6 times the product of three diameters
+  ellipsoid,      ///< three parts of two points, of two images: pi / 6 times the product of three diameters
   discs,          ///< one part: the ends of the long axis, then three or more points of the closed outline (Simpson, one plane)
   biplane,        ///< two parts as of discs, of two planes at right angles
   interval,       ///< strip; one part: two points, of which the times count
@@ -48,9 +48,9 @@ struct CaliperShape {
 };
 [[nodiscard]] CaliperShape shapeOf(CaliperKind kind);
 
-/// Points in one picture.
+/// Points in one image.
 struct CaliperPart {
-  int picture = 0;  ///< of two or four on the screen, or of two that were kept
+  int image = 0;  ///< of two or four on the screen, or of two that were kept
   std::vector<glm::dvec2> points;
   bool operator==(const CaliperPart&) const = default;
 };
@@ -80,8 +80,8 @@ inline constexpr double kFwhmOfSigma = 2.3548200450309493;  ///< full width at h
 inline constexpr double kEdgeShare = 0.5;
 [[nodiscard]] inline double edgeDeviation_mm(double fullWidth_mm) { return kEdgeShare * fullWidth_mm / kFwhmOfSigma; }
 
-/// @param picture as of CaliperPart @param p point of the caliper
-using UncertaintyAt = std::function<PointUncertainty(int picture, const glm::dvec2& p)>;
+/// @param image as of CaliperPart @param p point of the caliper
+using UncertaintyAt = std::function<PointUncertainty(int image, const glm::dvec2& p)>;
 
 enum class FigureKind { length, circumference, area, longAxis, shortAxis, angle, ratio, volume, slope, heartRate, duration };
 [[nodiscard]] std::string_view wordOf(FigureKind kind);  ///< "length", "long_axis"

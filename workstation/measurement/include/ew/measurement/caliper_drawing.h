@@ -14,7 +14,7 @@ namespace ew::measurement {
 /// one that is moved takes the other end along; of an outline with many points the neighbours follow, and what was smooth stays smooth.
 [[nodiscard]] Caliper withHandleAt(const Caliper& caliper, Handle handle, glm::dvec2 to);
 
-/// The tools that draw in one picture, in the order in which they are offered.
+/// The tools that draw in one image, in the order in which they are offered.
 [[nodiscard]] const std::vector<CaliperKind>& drawnKinds();
 /// Those that draw in the strip of an M-mode.
 [[nodiscard]] const std::vector<CaliperKind>& stripKinds();
@@ -22,13 +22,13 @@ namespace ew::measurement {
 [[nodiscard]] bool endsWhenAsked(CaliperKind kind);
 
 /// How a person draws calipers with a pointer or keys: the tool at hand, the points set so far, what is being dragged, what is selected,
-/// and the list that everything goes to. No window, no picture: points are mm of the picture's plane, or s and mm of a strip. Not for
+/// and the list that everything goes to. No window, no image: points are mm of the image's plane, or s and mm of a strip. Not for
 /// several threads.
 class CaliperDrawing {
  public:
-  explicit CaliperDrawing(int picture = 0) : picture_(picture) {}
+  explicit CaliperDrawing(int image = 0) : image_(image) {}
   /// One in which something is drawn already; no step of undo leads back behind it.
-  CaliperDrawing(int picture, Measurements drawn) : picture_(picture), list_(std::move(drawn)) {}
+  CaliperDrawing(int image, Measurements drawn) : image_(image), list_(std::move(drawn)) {}
 
   /// By how much differences of x and y are multiplied before they are distances to the pointer: of a strip, mm for each s.
   void setScale(glm::dvec2 scale) { scale_ = scale; }
@@ -99,13 +99,13 @@ class CaliperDrawing {
 
  private:
   [[nodiscard]] Caliper of(CaliperKind kind, std::vector<glm::dvec2> points) const {
-    return {kind, {{picture_, std::move(points)}}, kind == CaliperKind::heartRate ? cycles_ : 1};
+    return {kind, {{image_, std::move(points)}}, kind == CaliperKind::heartRate ? cycles_ : 1};
   }
   [[nodiscard]] double apart(glm::dvec2 a, glm::dvec2 b) const { return glm::length(scale_ * (a - b)); }
   Press set(glm::dvec2 at, double reach_mm);
   void add(std::vector<glm::dvec2> points);
 
-  int picture_;
+  int image_;
   glm::dvec2 scale_{1.0};
   int cycles_ = 1;
   MeasurementList list_;

@@ -9,7 +9,7 @@
 
 namespace ew::measurement {
 
-/// An ellipse in the plane of the picture.
+/// An ellipse in the plane of the image.
 struct Ellipse {
   glm::dvec2 centre_mm{0.0};
   double semiMajor_mm = 0.0;

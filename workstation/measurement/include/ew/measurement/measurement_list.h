@@ -14,7 +14,7 @@
 
 namespace ew::measurement {
 
-/// One line of the list beside the picture.
+/// One line of the list beside the image.
 struct Measurement {
   int number = 0;    ///< 1, 2, ... as it stands at its calipers; never given again in one list
   std::string name;  ///< what the user called it; empty: its kind
@@ -24,7 +24,7 @@ struct Measurement {
   bool operator==(const Measurement&) const = default;
 };
 
-/// All measurements of a picture at one moment: a value that never changes.
+/// All measurements of an image at one moment: a value that never changes.
 struct Measurements {
   std::vector<Measurement> all;  ///< in the order they were made
   int nextNumber = 1;
@@ -49,7 +49,7 @@ struct Handle {
 
 using ew::Change;
 
-/// The measurements of a picture with undo and redo (core/history.h). Not for several threads at once; the states are.
+/// The measurements of an image with undo and redo (core/history.h). Not for several threads at once; the states are.
 class MeasurementList : public EntryHistory<Measurements> {
  public:
   using EntryHistory::EntryHistory;
@@ -62,14 +62,14 @@ class MeasurementList : public EntryHistory<Measurements> {
   bool assign(int number, std::string item, std::string side = {});
 };
 
-/// The handle nearest to a point of a picture within reach, and whose it is. @param scale of differences of x and y before they are
+/// The handle nearest to a point of an image within reach, and whose it is. @param scale of differences of x and y before they are
 /// distances
 struct HandleFound {
   int number = 0;
   Handle handle;
   double distance_mm = 0.0;
 };
-[[nodiscard]] std::optional<HandleFound> handleNear(const Measurements& measurements, int picture, glm::dvec2 p, double reach_mm,
+[[nodiscard]] std::optional<HandleFound> handleNear(const Measurements& measurements, int image, glm::dvec2 p, double reach_mm,
                                                     glm::dvec2 scale = glm::dvec2(1.0));
 
 }  // namespace ew::measurement

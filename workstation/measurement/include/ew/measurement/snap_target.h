@@ -28,7 +28,7 @@ struct SnapTarget {
 
 /// What is looked for, and how near.
 struct SnapSearch {
-  int picture = 0;
+  int image = 0;
   double reach_mm = 2.0;
   glm::dvec2 scale{1.0};  ///< of differences of x and y, before they are distances: of a strip mm for each s
   int except = 0;         ///< the measurement whose own crosses are passed over: one of them is being moved
@@ -36,8 +36,8 @@ struct SnapSearch {
 };
 
 /// What a place is drawn to: a cross within reach before all else, then the edge of echoes, then the level or the plumb line of the point
-/// before. @param before the point that the line comes from; empty span: it is the first one @param picture empty: edges are not looked for
+/// before. @param before the point that the line comes from; empty span: it is the first one @param image empty: edges are not looked for
 [[nodiscard]] SnapTarget snapTarget(glm::dvec2 at, const Measurements& shown, std::span<const glm::dvec2> before, const SnapSearch& search,
-                                    ImageView<const std::uint8_t> picture = {}, const DisplayGeometry& geometry = {});
+                                    ImageView<const std::uint8_t> image = {}, const DisplayGeometry& geometry = {});
 
 }  // namespace ew::measurement

@@ -17,7 +17,7 @@ namespace ew::measurement {
 [[nodiscard]] UncertaintyAt uncertaintyInStrip(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry,
                                                const MModeStrip& strip);
 
-/// Where the pixels of a strip lie in time and depth: rows go evenly from the face to the depth of the picture, both included.
+/// Where the pixels of a strip lie in time and depth: rows go evenly from the face to the depth of the image, both included.
 class StripPlane {
  public:
   /// @param strip outlives this and may go on @param depth_mm of its last row, > 0

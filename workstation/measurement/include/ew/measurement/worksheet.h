@@ -53,13 +53,13 @@ struct ChartReading {
 };
 
 /// A value that a formula used.
-struct UsedValue {
+struct FormulaValue {
   std::string name;  ///< in the expression
   std::string of;    ///< label of the item or formula
   std::string side;
   Quantity value;    ///< in the formula's unit
   std::string from;  ///< the formula that gave it; empty: measured
-  bool operator==(const UsedValue&) const = default;
+  bool operator==(const FormulaValue&) const = default;
 };
 
 /// A line of a worksheet: an item that was measured, answered or follows from others, or a result.
@@ -73,21 +73,21 @@ struct WorksheetRow {
   std::vector<Quantity> measured;  ///< of an item: each measurement, in its unit
   std::string choice;              ///< of a choice: its word
   Words choiceTitle;
-  std::string from;               ///< of an item that was not measured: the formula that gave it
-  std::vector<UsedValue> inputs;  ///< of a formula
-  std::string expression;         ///< of a formula
-  std::string source;             ///< of a formula
-  Words convention;               ///< of an item: where its calipers go
+  std::string from;                  ///< of an item that was not measured: the formula that gave it
+  std::vector<FormulaValue> inputs;  ///< of a formula
+  std::string expression;            ///< of a formula
+  std::string source;                ///< of a formula
+  Words convention;                  ///< of an item: where its calipers go
   std::vector<RangeReading> ranges;
   std::vector<ChartReading> charts;
   std::vector<Message> remarks;  ///< why there is no value, or no percentile
   bool operator==(const WorksheetRow&) const = default;
 };
 
-struct FilledSection {
+struct SectionValues {
   Words title;
   std::vector<WorksheetRow> rows;
-  bool operator==(const FilledSection&) const = default;
+  bool operator==(const SectionValues&) const = default;
 };
 
 /// Dates against the scan.
@@ -117,7 +117,7 @@ struct Worksheet {
   std::string source;
   Several several = Several::mean;
   std::optional<double> gestation_weeks;
-  std::vector<FilledSection> sections;  ///< as the package lays them out; rows that nothing is known of are left out, and empty sections
+  std::vector<SectionValues> sections;  ///< as the package lays them out; rows that nothing is known of are left out, and empty sections
   std::optional<RedatingReading> redating;
   std::vector<SummaryReading> summaries;
   bool operator==(const Worksheet&) const = default;

@@ -127,7 +127,7 @@ struct VoxeliseOptions {
   bool maps = false;              ///< TissueMaps, too
   VoxelPieces* pieces = nullptr;  ///< of a run that was stopped, and for the next one; null: none are kept
 };
-struct VoxelisedPatient {
+struct VoxelPatient {
   Volume volume;  ///< inside the patient's stated box; coverage absent outside the skin
   std::vector<std::uint8_t> labels;
   /// When asked for: what live echoes are formed from, on the volume's grid. Reflecting surfaces are borders of organs, and boundaries of
@@ -141,7 +141,7 @@ struct VoxelisedPatient {
 /// voxel standard deviation, log compressed at 60 dB over 255 grey levels (so fully developed speckle spreads by 23.7 levels).
 /// Nothing casts a shadow: shadows belong to the view, not to the volume (Aiger and Cohen-Or 1998, "Shadows").
 /// @error badField (spacing), tooLarge (with the forecast), cancelled (within 0.1 s)
-[[nodiscard]] Result<VoxelisedPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress);
+[[nodiscard]] Result<VoxelPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress);
 
 /// The grid that voxelise makes of a patient: over its whole box.
 [[nodiscard]] Grid voxelGridOf(const Patient& patient, double spacing_mm);

@@ -89,12 +89,12 @@ struct VirtualSweep {
   /// PLUS: per frame ProbeToReference and ImageToProbe, statuses, times; further fields as in ew/io/gating_fields.h. So it can be
   /// reconstructed as it is; a device set, where one is given, takes the place of its calibration.
   Sequence sequence;
-  /// What a calibrated laboratory would have beside the recording: ImageToProbe as written, and the sector of the picture as clip.
+  /// What a calibrated laboratory would have beside the recording: ImageToProbe as written, and the sector of the image as clip.
   DeviceSet deviceSet;
   std::vector<Transform<frame::World, frame::Probe>> trueProbeToWorld;  ///< one per frame, where the probe really was
   std::vector<double> trueTime_s;                                       ///< one per frame, from the beginning of the sweep
   std::vector<BodyState> trueState;
-  /// The true calibration: pixel to probe frame, mm; as written it has the tracker's calibration error. Of scan lines: of the picture they
+  /// The true calibration: pixel to probe frame, mm; as written it has the tracker's calibration error. Of scan lines: of the image they
   /// are meant to become.
   glm::dmat4 imageToProbe{1.0};
 };

@@ -18,7 +18,7 @@ struct ControlGrid {
   bool operator==(const ControlGrid&) const = default;
 };
 [[nodiscard]] glm::dvec3 displacementAt(const ControlGrid& control, const glm::dvec3& p_mm);
-/// Every point p to p + u(p). The lattice is made ready once: for the many points of a picture.
+/// Every point p to p + u(p). The lattice is made ready once: for the many points of an image.
 void displace(const ControlGrid& control, std::span<glm::dvec3> points_mm);
 
 /// Elastic, then rigid: moving point = rigid * (p + u(p)), with u in the fixed frame. The Jacobian of the whole is that of p + u(p).

@@ -6,7 +6,7 @@
 #include "ew/assessment/pseudonym.h"
 #include "ew/export/measurement_report.h"
 #include "ew/measurement/worksheet.h"
-#include "ew/reports/reported_attempt.h"
+#include "ew/reports/report_attempt.h"
 
 namespace ew {
 
@@ -18,15 +18,15 @@ struct AttemptMeasurements {
 };
 /// The measurements that an attempt's measure steps handed in, by case, each case once: a lesson may measure in several patients. What was
 /// expected is not among them. Empty: the attempt measured nothing.
-[[nodiscard]] std::vector<AttemptMeasurements> measurementsOf(const ReportedAttempt& attempt, const ReportedLesson& lesson);
+[[nodiscard]] std::vector<AttemptMeasurements> measurementsOf(const ReportAttempt& attempt, const ReportLesson& lesson);
 
 /// Writes them as DICOM structured reports (measurement_report.h): the simulated patient of the case, the trainee as operator under a code
 /// unless names are asked for, "simulation, not for diagnosis" in the study and in the report.
 /// @param folder where "ATTEMPT-CASE.dcm" come to lie
 /// @return the files, none when nothing was measured @error as loadCase (the case is not in the library) and writeMeasurementReport
-[[nodiscard]] Result<std::vector<std::filesystem::path>> writeAttemptMeasurements(const ReportedAttempt& attempt,
-                                                                                  const ReportedLesson& lesson, const Pseudonyms& codes,
-                                                                                  bool names, const std::filesystem::path& library,
+[[nodiscard]] Result<std::vector<std::filesystem::path>> writeAttemptMeasurements(const ReportAttempt& attempt, const ReportLesson& lesson,
+                                                                                  const Pseudonyms& codes, bool names,
+                                                                                  const std::filesystem::path& library,
                                                                                   const std::filesystem::path& folder);
 
 }  // namespace ew

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ew/assessment/pseudonym.h"
-#include "ew/reports/reported_attempt.h"
+#include "ew/reports/report_attempt.h"
 
 namespace ew {
 
@@ -17,6 +17,6 @@ namespace ew {
 /// attempts has in any step has a column "id v1 [mm]"; what was not worked out is empty, never 0. An attempt that was not scored
 /// has what its lesson said ("scored" says no); of a lesson that is not in the library a line for each step that it ended, and no score.
 /// @param codes of the library, for `person`, unless names are asked for
-[[nodiscard]] std::string csvOf(const std::vector<ReportedAttempt>& attempts, const Pseudonyms& codes, bool names = false);
+[[nodiscard]] std::string csvOf(const std::vector<ReportAttempt>& attempts, const Pseudonyms& codes, bool names = false);
 
 }  // namespace ew

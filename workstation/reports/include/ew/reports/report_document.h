@@ -59,14 +59,14 @@ struct ReportTable {
   std::vector<ReportColumn> columns;
   std::vector<std::vector<ReportCell>> rows;  ///< each as long as `columns`
 };
-/// A picture file (PNG or JPEG). One that cannot be shown is said so in its place.
-struct ReportPicture {
+/// An image file (PNG or JPEG). One that cannot be shown is said so in its place.
+struct ReportImage {
   std::filesystem::path file = {};
   Message caption = {};
   std::string bytes = {};  ///< what the file would hold; empty: it is read
   bool isSmall = false;    ///< two stand side by side where there is room
 };
-using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportList, ReportFacts, ReportTable, ReportPlot, ReportPicture>;
+using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportList, ReportFacts, ReportTable, ReportPlot, ReportImage>;
 
 struct ReportDocument {
   Message title = {};
@@ -83,7 +83,7 @@ struct ReportOptions {
   bool names = false;           ///< of trainees, raters and reviewers; false: codes (pseudonym.h)
   std::string language = "en";  ///< of the words of data files and of cases, and of the page
   ReportWords words = {};       ///< empty: Message::english
-  bool pictures = true;         ///< that were stored, and paths from recordings: without them nothing but scores is read
+  bool images = true;           ///< that were stored, and paths from recordings: without them nothing but scores is read
 
   [[nodiscard]] std::string say(const Message& message) const { return words ? words(message) : message.english(); }
 };

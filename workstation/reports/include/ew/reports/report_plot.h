@@ -77,7 +77,7 @@ struct ReportPlot {
   bool isSmall = false;  ///< two stand side by side where there is room
 };
 
-/// Colours of a picture, as SVG writes them.
+/// Colours of an image, as SVG writes them.
 struct PlotColours {
   std::string text, soft, line, own, reference, back;
 };
@@ -86,7 +86,7 @@ struct PlotColours {
 /// For white paper.
 [[nodiscard]] PlotColours paperColours();
 
-/// A picture of it: one `svg` element, texts escaped, 420 units wide and as high as it needs. No style sheet, no script, no links: what
+/// An image of it: one `svg` element, texts escaped, 420 units wide and as high as it needs. No style sheet, no script, no links: what
 /// SVG Tiny 1.2 has.
 [[nodiscard]] std::string svgOf(const ReportPlot& plot, const PlotColours& colours,
                                 const std::function<std::string(const Message&)>& words);

@@ -17,7 +17,7 @@ struct WorksheetAbout {
   Message moment = {};                              ///< of `at`, as people write it; may be empty
   std::optional<std::chrono::sys_seconds> at = {};  ///< when it was made, the date of a file
   std::string examiner = {};                        ///< as they call themselves; may be empty
-  std::vector<ReportPicture> pictures = {};         ///< that follow the worksheet, numbered
+  std::vector<ReportImage> images = {};             ///< that follow the worksheet, numbered
 };
 
 /// A worksheet as a report: a table for each of its sections, what its answers say together, its source, its images.

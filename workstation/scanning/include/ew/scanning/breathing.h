@@ -8,7 +8,7 @@ namespace ew {
 enum class BreathingRequest { free, breatheInAndHold, breatheOutAndHold };
 
 /// A patient who breathes as asked. A value without a clock: whoever has one says when.
-class AskedBreathing {
+class BreathControl {
  public:
   /// From `time_s` on. Within 1.5 s the breath goes smoothly from where it is to where it is asked to be.
   void ask(BreathingRequest request, const BodyRhythms& rhythms, double time_s);
@@ -17,7 +17,7 @@ class AskedBreathing {
   [[nodiscard]] BodyState at(const BodyRhythms& rhythms, double time_s) const;
   /// Whether the body moves after this moment: it always does with a pulse or a bowel.
   [[nodiscard]] bool movesAfter(const BodyRhythms& rhythms, double time_s) const;
-  bool operator==(const AskedBreathing&) const = default;
+  bool operator==(const BreathControl&) const = default;
 
  private:
   BreathingRequest asked_ = BreathingRequest::free;

@@ -108,12 +108,12 @@ class CineForming {
   /// Makes the next of them. Expects left() > 0, and the ring as it was when it was aimed at.
   void makeNext(const CineRing& ring);
   /// The image that was made last; its views stay valid until the next one.
-  [[nodiscard]] const Picture& picture() const { return picture_; }
+  [[nodiscard]] const DisplayImage& image() const { return image_; }
   [[nodiscard]] const Scanner& scanner() const { return scanner_; }
 
  private:
   Scanner scanner_;
-  Picture picture_;
+  DisplayImage image_;
   glm::ivec2 size_px_{0};              ///< that is asked for
   PostProcessing by_;                  ///< that is asked for
   glm::ivec2 lastSize_px_{0};          ///< of the one that was made last

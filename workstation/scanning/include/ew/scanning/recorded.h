@@ -48,8 +48,8 @@ class Recorded {
 /// For each point of gapsToSkin_mm whether anything was recorded in the first 30 mm in front of the face there.
 [[nodiscard]] std::vector<bool> dataInFrontOf(const Recorded& recorded, const Probe& probe, const Pose& pose);
 
-/// What of a picture's fan looks at nothing that was recorded, on every so manieth pixel.
-struct UnrecordedPart {
+/// What of an image's fan looks at nothing that was recorded, on every so manieth pixel.
+struct RecordingGap {
   int every_px = 1;
   int columns = 0;
   int rows = 0;
@@ -60,7 +60,7 @@ struct UnrecordedPart {
   /// there are none.
   std::optional<double> end_mm;
 };
-[[nodiscard]] UnrecordedPart unrecordedPart(const Recorded& recorded, const DisplayGeometry& geometry, const Spans& fan, const Pose& pose,
-                                            double depth_mm, int every_px);
+[[nodiscard]] RecordingGap unrecordedPart(const Recorded& recorded, const DisplayGeometry& geometry, const Spans& fan, const Pose& pose,
+                                          double depth_mm, int every_px);
 
 }  // namespace ew

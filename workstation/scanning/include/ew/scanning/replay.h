@@ -19,7 +19,7 @@ class Replay {
   Replay(const ScanLog& log, ScanSubject subject, int threads = 1);
 
   /// The n-th image; its views stay valid until the next one.
-  Picture make(std::size_t frame, int width_px, int height_px);
+  DisplayImage make(std::size_t frame, int width_px, int height_px);
   [[nodiscard]] const Scanner& scanner() const { return scanner_; }
 
   /// How many images before the n-th still show in it: those that persistence has not yet brought below half a grey level, or that stand

@@ -9,24 +9,24 @@
 
 namespace ew {
 
-/// Pictures until persistence shows less than half a grey level of what was there before.
+/// Images until persistence shows less than half a grey level of what was there before.
 [[nodiscard]] std::size_t framesToSettle(double persistence);
 
-/// Makes the pictures of one subject, one after another. No window, no clock, no thread of its own.
+/// Makes the images of one subject, one after another. No window, no clock, no thread of its own.
 class Scanner {
  public:
-  /// @param threads that work on one picture; 0: one per processor. Pictures do not depend on it.
+  /// @param threads that work on one image; 0: one per processor. Images do not depend on it.
   explicit Scanner(int threads = 1) : maker_(threads) {}
 
-  /// What is scanned from now on; earlier pictures are forgotten.
+  /// What is scanned from now on; earlier images are forgotten.
   void show(ScanSubject subject);
-  /// The same subject with better voxels, labels and maps; title, scene and place are those of `better`. What earlier pictures leave in
+  /// The same subject with better voxels, labels and maps; title, scene and place are those of `better`. What earlier images leave in
   /// later ones stays.
   void refine(ScanSubject better);
   void clear();
-  /// Earlier pictures no longer show in later ones: persistence and M-mode start afresh.
+  /// Earlier images no longer show in later ones: persistence and M-mode start afresh.
   void forget() { maker_.forget(); }
-  /// What shows of pictures so far in those that follow. @see FrameMaker::memory, recall; `prepare` the state of the last of them before.
+  /// What shows of images so far in those that follow. @see FrameMaker::memory, recall; `prepare` the state of the last of them before.
   [[nodiscard]] FrameMemory memory() const { return maker_.memory(); }
   void recall(const FrameMemory& memory) { maker_.recall(memory); }
   [[nodiscard]] const std::optional<ScanSubject>& subject() const { return subject_; }
@@ -38,22 +38,22 @@ class Scanner {
   /// Other labels of the same subject, on a grid in the frame of the voxels' own; null: none. They are placed as the voxels are.
   void setLabels(std::shared_ptr<const Volume> labels);
 
-  /// Tables for a state, made now rather than with the next picture.
+  /// Tables for a state, made now rather than with the next image.
   void prepare(const ScanState& state, int width_px, int height_px);
-  /// The picture of a state; its views stay valid until the next one. Expects a subject. A scene that names no tissues, as those of
-  /// recordings do, has the subject's: one pose with one console is the same picture whoever asks for it.
-  /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black picture; one that is not ok also
+  /// The image of a state; its views stay valid until the next one. Expects a subject. A scene that names no tissues, as those of
+  /// recordings do, has the subject's: one pose with one console is the same image whoever asks for it.
+  /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black image; one that is not ok also
   /// forgets what was before it: behind a gap a scan begins anew.
-  Picture make(const ScanState& state, int width_px, int height_px);
-  /// Whether any part of the fan of the last picture, seen from `pose`, lies within the voxels.
+  DisplayImage make(const ScanState& state, int width_px, int height_px);
+  /// Whether any part of the fan of the last image, seen from `pose`, lies within the voxels.
   [[nodiscard]] bool seesVolume(const Pose& pose) const;
 
-  /// Of the last picture.
+  /// Of the last image.
   [[nodiscard]] const DisplayGeometry& geometry() const { return maker_.geometry(); }
   [[nodiscard]] const Plan& plan() const { return maker_.plan(); }
   [[nodiscard]] const Spans& spans() const { return maker_.spans(); }
   [[nodiscard]] const std::vector<StepTime>& lastTimes() const { return maker_.lastTimes(); }
-  /// The M-mode strip, as wide and high as the picture; width 0 when the mode has none.
+  /// The M-mode strip, as wide and high as the image; width 0 when the mode has none.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const { return maker_.strip(); }
   [[nodiscard]] int stripCursor() const { return maker_.stripCursor(); }
   [[nodiscard]] const MModeStrip& mMode() const { return maker_.mMode(); }

@@ -54,18 +54,18 @@ class ScanVoxels {
   /// The grid of the voxels' own, before anybody placed them.
   [[nodiscard]] const Grid& grid() const;
   /// @param placed where they lie now, of the same dims as grid()
-  /// @param pixel_mm of the picture: zooming out may read a coarser level; 0: the finest whatever the picture
+  /// @param pixel_mm of the image: zooming out may read a coarser level; 0: the finest whatever the image
   [[nodiscard]] SliceSource source(const Grid& placed, double pixel_mm) const;
   /// Null when they stay in their file.
   [[nodiscard]] const std::shared_ptr<const Volume>& volume() const { return volume_; }
   /// Null when every slice reads them as they lie.
-  [[nodiscard]] const std::shared_ptr<const BrickedVolume>& bricks() const { return bricks_; }
+  [[nodiscard]] const std::shared_ptr<const BrickVolume>& bricks() const { return bricks_; }
   /// @error notReadable when a file they stay in was changed since
   [[nodiscard]] Result<void> unchanged() const;
 
  private:
   std::shared_ptr<const Volume> volume_;
-  std::shared_ptr<const BrickedVolume> bricks_;
+  std::shared_ptr<const BrickVolume> bricks_;
   std::shared_ptr<const MappedVolume> mapped_;
   std::shared_ptr<const FrameStack> frames_;
   std::optional<LayoutTimes> layoutTimes_;
@@ -95,7 +95,7 @@ struct ScanSubject {
     if (!tissue || !motion) asked.motion.reset();
     return asked;
   }
-  /// Whether pictures in such a scene change with the body. Motion is seen in live echoes alone.
+  /// Whether images in such a scene change with the body. Motion is seen in live echoes alone.
   [[nodiscard]] bool movesIn(const Scene& asked) const { return tissue && motion && asked.liveEchoes && asked.motion; }
 
   /// The same without what could not be shown of it whatever were found out (recordedTissueOf).

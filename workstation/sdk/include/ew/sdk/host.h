@@ -68,7 +68,7 @@ class VolumeWriter {
 };
 
 /// What is scanned where that is no case's: a file that was opened, or a recording that was reconstructed here.
-struct ShownVolume {
+struct DisplayVolume {
   std::shared_ptr<const Volume> volume;  ///< in its own frame; not null
   std::string title;
   /// Where the recording's frames look in that frame, of length 1: away from the probe, and to its marker. Empty: nobody knows.
@@ -106,7 +106,7 @@ class Volumes {
   /// The same of a volume that was made from files: while it is shown nothing is saved over them.
   virtual void showMade(Volume volume, const std::string& title, const std::vector<std::filesystem::path>& madeFrom);
   /// Empty: nothing is scanned, it is a case's, it stays in its file, or there is no window.
-  [[nodiscard]] virtual std::optional<ShownVolume> shown() const;
+  [[nodiscard]] virtual std::optional<DisplayVolume> shown() const;
   /// A shown volume was put into a file by somebody else, so that the window need not ask about it any more.
   virtual void wasKept(const std::shared_ptr<const Volume>& volume);
 };
@@ -166,8 +166,8 @@ class Cases {
   struct Scan {
     std::string probe;                                        ///< its id
     Transform<frame::World, frame::Probe> probeToWorld = {};  ///< rigid
-    double depth_mm = 0.0;                                    ///< how far the picture reaches
-    double halfWidth_rad = 0.0;                               ///< of the picture about the beam in its middle; 0: its lines are parallel
+    double depth_mm = 0.0;                                    ///< how far the image reaches
+    double halfWidth_rad = 0.0;                               ///< of the image about the beam in its middle; 0: its lines are parallel
     double halfFace_mm = 0.0;                                 ///< half the width of the probe's face
     Grid volume;                                              ///< where the volume lies in the world, with the case's edits
   };
@@ -222,7 +222,7 @@ class PanelDocument {
 };
 
 /// A panel that brings more than a column.
-struct StagedPanel {
+struct StagePanel {
   using Make = std::function<QWidget*(QWidget* parent)>;
   std::string id;
   std::string title;
@@ -241,9 +241,9 @@ class Panels {
   virtual ~Panels();
   /// Adds a panel. Its widgets are made when it is first opened; without a window nothing is made. A host that has no place for a stage
   /// shows the column alone.
-  virtual void addStaged(StagedPanel panel) = 0;
+  virtual void addStaged(StagePanel panel) = 0;
   /// One that is a column alone.
-  void add(const std::string& id, const std::string& title, StagedPanel::Make make, const std::string& workspace = "author");
+  void add(const std::string& id, const std::string& title, StagePanel::Make make, const std::string& workspace = "author");
   /// Takes a panel's tab out of its column while it has nothing to show, and puts it back; a column without tabs gives its room to the
   /// views. A panel is shown when it is added. An id that is none does nothing.
   virtual void setShown(const std::string& id, bool shown);

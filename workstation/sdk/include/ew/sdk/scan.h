@@ -8,7 +8,7 @@
 #include "ew/core/figure.h"
 #include "ew/core/result.h"
 #include "ew/imaging/display.h"
-#include "ew/imaging/picture.h"
+#include "ew/imaging/display_image.h"
 #include "ew/scanning/events.h"
 #include "ew/scanning/state.h"
 #include "ew/sdk/ticket.h"
@@ -16,7 +16,7 @@
 
 namespace ew::sdk {
 
-/// What is scanned, beside its pictures.
+/// What is scanned, beside its images.
 struct Scanned {
   Grid volume;                           ///< where the voxels lie in the world
   std::shared_ptr<const Volume> labels;  ///< which structure each voxel is (its `echo` holds the numbers); null: nobody knows
@@ -55,7 +55,7 @@ class Scan {
   /// All that the latest image was made with; while the probe moves fast with less quality than the console asks for. Empty: no image.
   [[nodiscard]] virtual std::optional<ScanState> state() const = 0;
   /// The latest image. Its pixels are valid until the call ends that asked for it; empty: no image.
-  [[nodiscard]] virtual Picture picture() const = 0;
+  [[nodiscard]] virtual DisplayImage image() const = 0;
   /// Where the fan lies in it.
   [[nodiscard]] virtual DisplayGeometry geometry() const = 0;
   /// As the console has them now.
@@ -63,7 +63,7 @@ class Scan {
   /// On the scan's clock, the one of states, events and pose sources.
   [[nodiscard]] virtual double now_s() const = 0;
 
-  /// What happens, as a recording of the scan would hold it: each image (FrameMade; picture() is that image), before the first and where
+  /// What happens, as a recording of the scan would hold it: each image (FrameMade; image() is that image), before the first and where
   /// they changed since the image before also probe, settings and scene, and freezing. A recording that is played tells of its own images.
   using EventCallback = std::function<void(const ScanEvent&)>;
   [[nodiscard]] virtual Ticket onEvent(EventCallback callback) = 0;

@@ -4,7 +4,7 @@
 
 namespace ew::sdk {
 
-/// A way of working that a plugin brings, beside Explore and Author at the top of the window. Its panels name it (StagedPanel::workspace).
+/// A way of working that a plugin brings, beside Explore and Author at the top of the window. Its panels name it (StagePanel::workspace).
 struct Workspace {
   std::string id;            ///< letters, digits, '-' and '_'; "explore" and "author" are the program's own
   std::string title;         ///< a word or two, on the button

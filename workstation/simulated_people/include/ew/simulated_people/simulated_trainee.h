@@ -48,7 +48,7 @@ struct SimulatedPerson {
 /// Writes an attempt as the window keeps it, judged by the rules of its steps: ROOT/ID/attempt.json and a recording of each step that was
 /// scanned in. Times stand as if it had begun at `begun`; the id is made of that and the seed.
 /// @return the attempt's folder
-/// @error as KeptAttempt, writeRecording, workOf; cancelled, within 0.1 s
+/// @error as AttemptFolder, writeRecording, workOf; cancelled, within 0.1 s
 [[nodiscard]] Result<std::filesystem::path> keepSimulatedAttempt(const Lesson& lesson, const TraineeCase& on,
                                                                  const std::vector<SimulatedStep>& steps, const SimulatedPerson& person,
                                                                  std::chrono::sys_seconds begun, const std::filesystem::path& root,

@@ -50,11 +50,11 @@ struct TraineeHabits {
   double numberError = 0.0;  ///< standard deviation of a right number, in tolerances
   double mistaken = 0.0;     ///< probability of pointing at something else
   double pointError_mm = 0.0;
-  double caliperError_mm = 0.0;  ///< of each caliper along either direction of the picture
+  double caliperError_mm = 0.0;  ///< of each caliper along either direction of the image
   // Survey.
   double missedTarget = 0.0;   ///< probability of not visiting a target of a free scan
   double sweep_mmPerS = 25.0;  ///< > 0
-  double sweepGap = 0.0;       ///< of a picture's width that is left out between two passes of a sweep
+  double sweepGap = 0.0;       ///< of an image's width that is left out between two passes of a sweep
   double sweepShort = 0.0;     ///< share of a structure's length that a sweep leaves out, both ends together, 0 to 0.9
   double interruptions = 0.0;  ///< mean number of stops in one pass of a sweep
   // Time beside the scan.

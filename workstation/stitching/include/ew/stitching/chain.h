@@ -34,11 +34,11 @@ struct PairOutcome {
   std::optional<registration::GraphEdgeReport> inGraph;  ///< what the graph made of it; none where it was not asked
   bool wrong = false;                                    ///< the graph does not believe it
   bool suspect = false;                                  ///< it could be the wrong one as well as another
-  double processor_s = 0.0;                              ///< as of WarpedPair
+  double processor_s = 0.0;                              ///< as of PairDeformation
 };
 
 /// What warping one pair of views found, before all warps were brought together.
-struct WarpedPair {
+struct PairDeformation {
   std::size_t fixed = 0;
   std::size_t moving = 0;
   registration::ElasticEffort effort = registration::ElasticEffort::balanced;
@@ -83,10 +83,10 @@ struct ChainState {
   std::optional<registration::GraphResult> graph;
   std::vector<registration::ControlGrid> warps;  ///< one per volume, world; empty lattices where nothing warps; after `elastic`
   WarpSummary warpSummary;
-  std::vector<WarpedPair> warpedPairs;  ///< after `elastic`, in order of fixed, then moving
-  std::optional<SeamMap> seams;         ///< of the project's volumes by their numbers
-  std::vector<Message> notes;           ///< what readers of the inputs had to decide, a sentence each
-  std::vector<std::size_t> leftOut;     ///< volumes that nothing holds to the others; not in the result
+  std::vector<PairDeformation> warpedPairs;  ///< after `elastic`, in order of fixed, then moving
+  std::optional<SeamMap> seams;              ///< of the project's volumes by their numbers
+  std::vector<Message> notes;                ///< what readers of the inputs had to decide, a sentence each
+  std::vector<std::size_t> leftOut;          ///< volumes that nothing holds to the others; not in the result
   std::optional<JoinReport> report;
   std::filesystem::path volume, coverage, source, level, provenance;  ///< of the result, when it is there
   std::function<Result<void>()> putInPlace;                           ///< with ChainOptions::putInPlaceLater: moves the result to these

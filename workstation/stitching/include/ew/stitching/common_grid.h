@@ -36,14 +36,14 @@ struct StitchForecast {
 
 /// A grid and where it lies, for a forecast before the volumes are read: toWorld is rigid and takes the coordinates of the volume's own
 /// file to the world, mm, LPS.
-struct PlacedGrid {
+struct GridPlacement {
   Grid grid;
   Transform<frame::World, frame::View> toWorld = {};
   std::string name;  ///< for messages
 };
 
 /// @error emptyVolume (no input), badField (spacing, feather width, interpolated weight, a grid), notRigid (naming the volume), tooLarge
-[[nodiscard]] Result<StitchForecast> forecastStitch(std::span<const PlacedGrid> inputs, const StitchOptions& options);
+[[nodiscard]] Result<StitchForecast> forecastStitch(std::span<const GridPlacement> inputs, const StitchOptions& options);
 
 /// What one input gave.
 struct Contribution {

@@ -19,7 +19,7 @@ struct EqualiseViewsOptions {
   int threads = 0;
 };
 
-struct EqualisedViews {
+struct ViewEqualisation {
   std::vector<GreyCorrection> corrections;  ///< one per view; the mean over a group of overlapping views is about 0
   int groups = 0;                           ///< between groups nothing is known
   double disagreementBefore_db = 0.0;       ///< median size of the difference between two views' cells, at a dynamic range of 60 dB
@@ -30,6 +30,6 @@ struct EqualisedViews {
 /// Gain and depth gain of subvolumes brought together where they overlap. Depth runs along each view's beams; shadows, edges and
 /// saturated cells are weighed down.
 /// @error badField, emptyVolume, cancelled
-[[nodiscard]] Result<EqualisedViews> equaliseViews(std::span<const View> views, const EqualiseViewsOptions& options, Progress& progress);
+[[nodiscard]] Result<ViewEqualisation> equaliseViews(std::span<const View> views, const EqualiseViewsOptions& options, Progress& progress);
 
 }  // namespace ew::stitching

@@ -115,7 +115,7 @@ struct JoinReport {
 };
 
 /// Memory at the peak for making the result in blocks, the views themselves not counted.
-[[nodiscard]] Result<StitchForecast> forecastJoin(std::span<const PlacedGrid> views, const JoinOptions& options);
+[[nodiscard]] Result<StitchForecast> forecastJoin(std::span<const GridPlacement> views, const JoinOptions& options);
 
 /// Makes the whole, block by block: a blocked result equals the whole one, bit for bit. The seam's visibility is then measured within
 /// blocks: what reaches over a block's edge is left out.

@@ -69,7 +69,7 @@ Result<std::vector<Warped>> warpPairs(ChainRun& run, const std::vector<PairMeeti
 
 /// Brings the warps of all pairs together: one warp for each view.
 Result<void> share(ChainRun& run, std::vector<PairWarp> warps, Progress& progress) {
-  std::vector<const LoadedView*> views;
+  std::vector<const ViewData*> views;
   std::vector<Transform<frame::World, frame::View>> poses;
   std::vector<std::size_t> place(run.inputs.size());
   for (std::size_t n = 0; n < run.included.size(); ++n) {
@@ -151,7 +151,7 @@ Result<void> elasticStep(ChainRun& run, Progress& progress) {
   StepOutcome& outcome = run.outcomeOf(Step::elastic);
   outcome.reused = readWarps(run);
   if (outcome.reused) {
-    for (const WarpedPair& warped : run.state.warpedPairs) useWarp(run, warped.fixed, warped.moving);
+    for (const PairDeformation& warped : run.state.warpedPairs) useWarp(run, warped.fixed, warped.moving);
     return {};
   }
   run.state.warps.assign(run.inputs.size(), {});

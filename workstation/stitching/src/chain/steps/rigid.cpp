@@ -23,7 +23,7 @@ std::optional<PairOutcome> findPair(const ChainRun& run, const Candidate& pair) 
 
 /// Both views are loaded.
 Result<PairOutcome> match(ChainRun& run, const Candidate& pair, int threads, Progress& progress) {
-  const LoadedView &fixed = *run.inputs[pair.fixed].view, &moving = *run.inputs[pair.moving].view;
+  const ViewData &fixed = *run.inputs[pair.fixed].view, &moving = *run.inputs[pair.moving].view;
   progress.report(say<"Registering %1 and %2">(fixed.name, moving.name), 0.0);
   const ThreadClock clock;
   auto made = matchPair(fixed, moving, pair.task, threads, progress, run.levelsOf(pair.fixed, pair.moving));

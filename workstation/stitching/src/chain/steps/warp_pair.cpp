@@ -16,7 +16,7 @@ constexpr const char* kWarpStep = "bends";
 constexpr double kUnconfirmed = 0.1;  ///< trust in an elastic pair that the images did not confirm
 
 /// What a pair needs of a view. Without a coverage map black at a volume's border counts as outside, so such a volume stays whole.
-PartOfView around(const LoadedView& view, const VoxelBox& box) {
+PartOfView around(const ViewData& view, const VoxelBox& box) {
   const Grid& grid = view.volume->grid;
   return partOf(view, view.volume->coverage.empty() ? VoxelBox{glm::ivec3(0), grid.dims} : widened(box, grid, kAroundOverlap_mm));
 }

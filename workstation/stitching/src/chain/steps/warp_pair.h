@@ -10,7 +10,7 @@ namespace ew::stitching {
 /// An elastic pair from the poses of the graph.
 struct Warped {
   PairWarp warp;
-  WarpedPair about;
+  PairDeformation about;
 };
 
 /// Warps two views by what they both cover and some more around it, or finds in the store how they were warped before.

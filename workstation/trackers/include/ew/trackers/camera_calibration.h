@@ -24,35 +24,35 @@ struct CharucoBoard {
   bool operator==(const CharucoBoard&) const = default;
 };
 
-/// The corners of the board in one picture.
+/// The corners of the board in one image.
 struct CharucoView {
   std::vector<int> ids;                ///< of inner corners, row by row
   std::vector<glm::dvec2> corners_px;  ///< one for each id
   bool operator==(const CharucoView&) const = default;
 };
 
-/// Why a picture was or was not kept.
+/// Why an image was or was not kept.
 enum class ViewVerdict {
   kept,
   noBoard,  ///< fewer than eight corners are seen
   blurred,  ///< it moved, or is out of focus
-  moving,   ///< the board is not held still since the last picture
+  moving,   ///< the board is not held still since the last image
   alike,    ///< much like one that is kept
   full,     ///< as many are kept as are useful
 };
 
-/// What the pictures that are kept cover, and what is missing.
+/// What the images that are kept cover, and what is missing.
 struct CalibrationCoverage {
   static constexpr int kColumns = 4, kRows = 3;
-  std::array<int, kColumns * kRows> corners{};  ///< of the board, in each part of the picture, row by row
-  /// Pictures in which the board is: straight, tipped to the left, right, upwards and downwards (15 degrees and more), near and far.
+  std::array<int, kColumns * kRows> corners{};  ///< of the board, in each part of the image, row by row
+  /// Images in which the board is: straight, tipped to the left, right, upwards and downwards (15 degrees and more), near and far.
   int straight = 0, left = 0, right = 0, up = 0, down = 0, near = 0, far = 0;
   int views = 0;
   bool enough = false;  ///< to solve
   Message next;         ///< the one thing to do next, for a person; "enough" when nothing is missing
 };
 
-/// Gathers pictures of a ChArUco board while somebody moves it about. Not safe from several threads.
+/// Gathers images of a ChArUco board while somebody moves it about. Not safe from several threads.
 class CalibrationCollector {
  public:
   /// @error badField: a board that cannot be
@@ -63,7 +63,7 @@ class CalibrationCollector {
 
   struct Look {
     ViewVerdict verdict = ViewVerdict::noBoard;
-    CharucoView view;      ///< what was found, for drawing over the picture
+    CharucoView view;      ///< what was found, for drawing over the image
     double blur_px = 0.0;  ///< spread of the edges
   };
   /// @param grey of the size given to make()
@@ -77,7 +77,7 @@ class CalibrationCollector {
   std::unique_ptr<State> state_;
 };
 
-/// The corners of the board in a picture; few or none when it is not seen.
+/// The corners of the board in an image; few or none when it is not seen.
 [[nodiscard]] CharucoView findCharuco(ImageView<const std::uint8_t> grey, const CharucoBoard& board);
 
 struct CameraCalibration {

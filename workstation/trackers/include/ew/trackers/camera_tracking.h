@@ -20,16 +20,16 @@ namespace ew {
 enum class CornerMethod {
   contour,  ///< as the detector leaves them: whole pixels of a contour
   subPix,   ///< OpenCV's saddle point search (cornerSubPix); a marker's outer corner is no saddle
-  edges,    ///< each side as a line through sub-pixel edge points of the undistorted picture; corners are where the lines meet
+  edges,    ///< each side as a line through sub-pixel edge points of the undistorted image; corners are where the lines meet
 };
 
 struct CameraTrackingOptions {
   CornerMethod corners = CornerMethod::edges;
   double gamma = 2.2;                ///< grey levels are light to the power of 1 / gamma, as webcams encode it; 1: light itself
   int mostMarkers = 12;              ///< of a body, the largest first; 1..64
-  bool halfSearch = true;            ///< the whole picture is searched at half its size; corners are measured in the whole one all the same
+  bool halfSearch = true;            ///< the whole image is searched at half its size; corners are measured in the whole one all the same
   bool followsRegions = true;        ///< a body that was seen is looked for around the place where it should be
-  double searchEvery_s = 0.5;        ///< the whole picture nevertheless, this often
+  double searchEvery_s = 0.5;        ///< the whole image nevertheless, this often
   double smallestMarker_px = 14.0;   ///< side of a marker below which it is not looked for
   double largestRms_px = 1.0;        ///< of the corners; above, the pose is invalid
   double largestSpread_mm = 4.0;     ///< standard deviation at the face; above, the pose is outOfRange
@@ -38,7 +38,7 @@ struct CameraTrackingOptions {
   bool operator==(const CameraTrackingOptions&) const = default;
 };
 
-/// A marker of one of the bodies as it was found in a picture.
+/// A marker of one of the bodies as it was found in an image.
 struct MarkerSight {
   int id = 0;
   int body = 0;                            ///< index
@@ -48,7 +48,7 @@ struct MarkerSight {
   bool used = false;                       ///< false: it disagreed with the others, or more were there than asked for
 };
 
-/// How a body stands in one picture.
+/// How a body stands in one image.
 struct BodySight {
   TrackingState state = TrackingState::outOfView;      ///< live, outOfRange, outOfView or invalid
   Transform<frame::Camera, frame::Tool> bodyToCamera;  ///< rigid; of meaning where it is live or outOfRange
@@ -56,24 +56,24 @@ struct BodySight {
   double rms_px = 0.0;                                 ///< of their corners
   double spread_mm = 0.0;   ///< standard deviation of the place of the transducer face (of a board: of its middle), all directions together
   double spread_rad = 0.0;  ///< of the turn, all axes together
-  bool ambiguous = false;   ///< two poses explain the picture alike; outOfRange unless the last picture tells which one goes on
+  bool ambiguous = false;   ///< two poses explain the image alike; outOfRange unless the last image tells which one goes on
   double flipRatio = 0.0;   ///< how many times the other pose of a flat view fits worse (rms); 0: there is no other
-  double blur_px = 0.0;     ///< length of the motion in the picture while it was exposed
-  double speed_pxPerS = 0.0;  ///< of the face in the picture, from the last picture it was live in; 0: not known
+  double blur_px = 0.0;     ///< length of the motion in the image while it was exposed
+  double speed_pxPerS = 0.0;  ///< of the face in the image, from the last image it was live in; 0: not known
   double skew_px = 0.0;       ///< by how much a rolling shutter shears the body: speed times the time its rows take
 };
 
-/// What one picture shows.
+/// What one image shows.
 struct CameraSight {
   std::vector<BodySight> bodies;     ///< one for each body, in their order
   std::vector<MarkerSight> markers;  ///< of all bodies
   bool searchedWhole = false;
   /// By how much black squares seem smaller than printed, in spreads of their edges on each side: ink, bloom, encoding. Carried on from
-  /// picture to picture, since it belongs to the camera and the paper; with its standard deviation.
+  /// image to image, since it belongs to the camera and the paper; with its standard deviation.
   double bleed = 0.0, bleedSpread = 0.0;
 };
 
-/// Finds marker bodies in the pictures of one camera, one picture after another. Poses rest on the picture alone: the ones before say where
+/// Finds marker bodies in the images of one camera, one image after another. Poses rest on the image alone: the ones before say where
 /// to look, and which of two poses of a flat view goes on, and never pull an estimate.
 ///
 /// Markers are found by OpenCV's ArUco detector; their corners are measured by CornerMethod; all corners of a body, taken back through
@@ -91,9 +91,9 @@ class CameraTracker {
   ~CameraTracker();
 
   /// @param grey   of the model's size
-  /// @param time_s of the picture, on any clock that does not fall
+  /// @param time_s of the image, on any clock that does not fall
   [[nodiscard]] CameraSight track(ImageView<const std::uint8_t> grey, double time_s);
-  /// As if no picture had come before.
+  /// As if no image had come before.
   void forget();
 
  private:
@@ -102,7 +102,7 @@ class CameraTracker {
   std::unique_ptr<State> state_;
 };
 
-/// What OpenCV's own estimatePoseBoard makes of a picture with its default detector and sub-pixel corners, for comparison alone: it says
+/// What OpenCV's own estimatePoseBoard makes of an image with its default detector and sub-pixel corners, for comparison alone: it says
 /// neither how sure it is nor whether the pose is flipped.
 [[nodiscard]] std::vector<std::optional<Transform<frame::Camera, frame::Tool>>> plainBoardPoses(const CameraModel& model,
                                                                                                 const std::vector<MarkerBody>& bodies,

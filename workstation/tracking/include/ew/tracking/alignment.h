@@ -16,11 +16,11 @@
 namespace ew {
 
 /// A named place of the mannequin and where the probe's face was when it touched that.
-struct TouchedLandmark {
+struct LandmarkTouch {
   std::string name;          ///< as shown
   glm::dvec3 world_mm{0.0};  ///< where it lies on the mannequin
   glm::dvec3 tracker_mm{0.0};
-  bool operator==(const TouchedLandmark&) const = default;
+  bool operator==(const LandmarkTouch&) const = default;
 };
 
 struct AlignmentOptions {
@@ -59,7 +59,7 @@ struct Alignment {
 /// Expected error: Fitzpatrick, West and Maurer, IEEE Trans. Med. Imaging 17(5), 1998, equation 46; closed form: Arun, Huang and Blostein,
 /// IEEE PAMI 9(5), 1987.
 /// @error badField: a coordinate that is not finite, touch_mm not > 0
-[[nodiscard]] Result<Alignment> alignByLandmarks(std::span<const TouchedLandmark> touched, const AlignmentOptions& options = {});
+[[nodiscard]] Result<Alignment> alignByLandmarks(std::span<const LandmarkTouch> touched, const AlignmentOptions& options = {});
 
 /// The order in which landmarks are best asked for: first the four that span the largest tetrahedron, since of four in nearly one plane it
 /// cannot be told which is in the wrong place, then each time the one farthest from those before it.

@@ -35,7 +35,7 @@ struct PoseFilterReport {
 ///   innovations: small while the probe rests, large while it is thrown about. No delay in a steady slide.
 /// - `oneEuro`: a low pass whose cut-off grows with speed (Casiez, Roussel, Vogel, CHI 2012), on position and rotation.
 /// - `none`: the reading itself.
-/// `automatic` measures the noise of the readings and takes `none` where it cannot be seen in a picture, else the filter that leaves the
+/// `automatic` measures the noise of the readings and takes `none` where it cannot be seen in an image, else the filter that leaves the
 /// least error on paths of a hand; resources/docs/technician/trackers.md has the figures. All are isotropic: the frames of a tracker have
 /// no special axis. The readings' noise is measured as the distance of each from the cubic through its two neighbours on either side, which
 /// the smooth motion of a hand does not reach; the lower quartile of the last readings counts, so that fast moments do not look like noise.

@@ -32,22 +32,22 @@ class HandOnSkin final : public PoseSource {
   Hold hold_;  ///< at first in front of the middle of the trunk, so that there is one before there is a skin
 };
 
-struct TimedPose {
+struct PoseSample {
   double time_s = 0.0;
   Pose pose;
-  bool operator==(const TimedPose&) const = default;
+  bool operator==(const PoseSample&) const = default;
 };
 
 /// Poses along a path, one after another: each holds until the next one's time, the first also before its own, the last for ever.
 class PosePath final : public PoseSource {
  public:
   /// Expects at least one pose, and times that never fall.
-  explicit PosePath(std::vector<TimedPose> poses);
+  explicit PosePath(std::vector<PoseSample> poses);
   [[nodiscard]] Pose poseAt(double time_s) const override;
   [[nodiscard]] bool movesAfter(double time_s) const override;
 
  private:
-  std::vector<TimedPose> poses_;
+  std::vector<PoseSample> poses_;
 };
 
 }  // namespace ew

@@ -16,13 +16,13 @@ struct TrackedProbeOptions {
   std::string tool{};       ///< that carries the probe; empty: the first that is heard of and is not the reference
   std::string reference{};  ///< that the mannequin is fixed to; empty: the tracker stands still
   FilterKind filter = FilterKind::automatic;
-  bool predict = true;            ///< ahead to the moment of the picture, by at most one period of the tracker
+  bool predict = true;            ///< ahead to the moment of the image, by at most one period of the tracker
   double staleAfter_s = 0.5;      ///< without news from then on
   double wellMeasured_mm = 10.0;  ///< a reading whose own spread at the transducer face is above is outOfRange
   bool operator==(const TrackedProbeOptions&) const = default;
 };
 
-/// How a tracked probe does, for the page and the picture.
+/// How a tracked probe does, for the page and the image.
 struct TrackingReport {
   TrackingState state = TrackingState::off;
   Message sentence;           ///< the state in words, and what to do
@@ -43,7 +43,7 @@ struct TrackingReport {
 
 /// A probe that a tracker follows: readings become poses on the scan's clock. A free pose stays free. While it is not live, poseAt() gives
 /// the last good place with a status that is not ok (invalid: it is measured badly, or again and again the same; missing: it is not
-/// measured); who shows a picture shows that it is none of now. A pose's time is when the reading it rests on was measured, on the scan's
+/// measured); who shows an image shows that it is none of now. A pose's time is when the reading it rests on was measured, on the scan's
 /// clock. A single reading that is missing or bad is bridged, by at most one period. The clock is the caller's: times are arguments, and
 /// the readings' arrivals are compared with them. Safe from several threads.
 class TrackedProbe final : public PoseSource {

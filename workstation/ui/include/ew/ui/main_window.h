@@ -6,7 +6,7 @@
 
 namespace ew::ui {
 
-class AnnotatedPictures;
+class ImageAnnotations;
 class Calipers;
 class CaseDocument;
 class CineBar;
@@ -16,13 +16,13 @@ class HandInput;
 class Jobs;
 class KeyMap;
 class MessageBar;
-class PictureGrid;
+class ImageGrid;
 class Recorder;
 class ReplayBar;
 class ScanView;
 class Session;
-class ShownMark;
-class StoredExamination;
+class ImageBodyMark;
+class ExaminationStore;
 class Trackers;
 class View3D;
 class WideScan;
@@ -63,7 +63,7 @@ class MainWindow final : public QMainWindow {
   /// Shows the tour when nobody has seen it yet; it asks nothing and can be left at any moment.
   void offerTour();
 
-  /// Nothing is being loaded, and the picture and the 3D view are drawn.
+  /// Nothing is being loaded, and the image and the 3D view are drawn.
   [[nodiscard]] bool isSettled() const;
 
   [[nodiscard]] Session& session();
@@ -78,10 +78,10 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] WideScan& wideScan();
   [[nodiscard]] Calipers& calipers();
   [[nodiscard]] Worksheets& worksheets();
-  [[nodiscard]] StoredExamination& stored();
-  [[nodiscard]] AnnotatedPictures& annotated();
-  [[nodiscard]] ShownMark& bodyMark();
-  [[nodiscard]] PictureGrid& pictures();
+  [[nodiscard]] ExaminationStore& stored();
+  [[nodiscard]] ImageAnnotations& annotated();
+  [[nodiscard]] ImageBodyMark& bodyMark();
+  [[nodiscard]] ImageGrid& images();
   [[nodiscard]] ReplayBar& replayBar();
   [[nodiscard]] CineBar& cineBar();
   [[nodiscard]] KeyMap& keys();

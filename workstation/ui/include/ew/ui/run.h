@@ -13,7 +13,7 @@ struct WindowOptions {
   bool startPage = false;    ///< show the start page instead of opening anything
   std::string workspace;     ///< "explore" or "author"; empty: explore
   std::string theme;         ///< "dark" or "light"; empty: as it was left, dark on the first start
-  std::string screenshot;    ///< write the picture of the window to this .png once everything is drawn, then end; empty: stay open
+  std::string screenshot;    ///< write the image of the window to this .png once everything is drawn, then end; empty: stay open
   glm::ivec2 size_px{0, 0};  ///< of the window's inside; (0, 0): as it was left, or 1600 x 900 for a screenshot
 };
 

@@ -31,19 +31,19 @@ CaliperLayer::CaliperLayer(Session& session, Calipers& calipers, ScanView& scan,
   setAccessibleName(where == Where::strip ? tr("Calipers on the strip of the M-mode") : tr("Calipers on the image"));
   hide();
   scan.installEventFilter(this);
-  connect(&session_, &Session::pictureChanged, this, [this] {
+  connect(&session_, &Session::imageChanged, this, [this] {
     follow();
     if (where_ == Where::strip && isVisible()) update();  // it goes on
   });
   connect(&calipers_, &Calipers::changed, this, &CaliperLayer::showOrHide);
 }
 
-QRect CaliperLayer::place() const { return where_ == Where::strip ? scan_.stripRect() : scan_.pictureRect(); }
+QRect CaliperLayer::place() const { return where_ == Where::strip ? scan_.stripRect() : scan_.imageRect(); }
 
 /// With a tool for the image a click on the strip is answered as well, and the other way round.
 bool CaliperLayer::isWanted() const {
   if (!calipers_.drawing().tool() && calipers_.drawingIn(where_).isEmpty()) return false;
-  return where_ == Where::strip ? calipers_.hasStrip() : session_.pictureKnobs().mode != DisplayMode::mMode;
+  return where_ == Where::strip ? calipers_.hasStrip() : session_.imageKnobs().mode != DisplayMode::mMode;
 }
 
 void CaliperLayer::follow() {
@@ -110,10 +110,10 @@ std::optional<glm::dvec2> CaliperLayer::meantAt(const QPointF& at, Qt::KeyboardM
       search.except = drawing.selected();
       before = drawing.fixedEnd() ? std::vector{*drawing.fixedEnd()} : std::vector<glm::dvec2>();
     }
-    const bool looksForEdges = where_ == Where::picture && drawing.tool() != measurement::CaliperKind::trace;
+    const bool looksForEdges = where_ == Where::image && drawing.tool() != measurement::CaliperKind::trace;
     if (looksForEdges && calipers_.uncertainty()) search.beam_rad = calipers_.uncertainty()(0, *point).beam_rad;
     now = measurement::snapTarget(*point, drawing.shown(), before, search,
-                                  looksForEdges ? session_.picture().grey : ImageView<const std::uint8_t>{}, session_.geometry());
+                                  looksForEdges ? session_.image().grey : ImageView<const std::uint8_t>{}, session_.geometry());
   }
   const bool isOther = now.kind != snap_.kind || (now.kind != measurement::SnapKind::none && !(now == snap_));
   snap_ = now;
@@ -165,7 +165,7 @@ void CaliperLayer::mousePressEvent(QMouseEvent* event) {
   const bool takesHandle = bare && here.points().empty() && here.isNearHandle(*bare, reach_mm());
   if (!takesHandle && !prepareTool()) return;
   if (!bare) return scan_.say(tr("Nothing is drawn there yet; click where the strip shows echoes."));
-  if (where_ == Where::picture) calipers_.hold();
+  if (where_ == Where::image) calipers_.hold();
   // A cross is taken where it is clicked; a new point is set where it is drawn to.
   const glm::dvec2 at = takesHandle ? *bare : meantAt(event->localPos(), event->modifiers()).value_or(*bare);
   auto pressed = CaliperDrawing::Press::nothing;
@@ -221,7 +221,7 @@ void CaliperLayer::enter() {
   const auto bare = pointAt(*cross_);
   if (!bare) return scan_.say(tr("Nothing is drawn there yet; click where the strip shows echoes."));
   const glm::dvec2 at = snap_.kind != measurement::SnapKind::none ? snap_.at : *bare;
-  if (where_ == Where::picture) calipers_.hold();
+  if (where_ == Where::image) calipers_.hold();
   calipers_.changeIn(where_, [&](CaliperDrawing& drawing) {
     if (drawing.isDragging()) return drawing.release(at, reach_mm());
     if (drawing.press(at, reach_mm()) != CaliperDrawing::Press::handle) drawing.release(at, reach_mm());

@@ -21,7 +21,7 @@ class CaliperLayer final : public QWidget {
   Q_OBJECT
 
  public:
-  CaliperLayer(Session& session, Calipers& calipers, ScanView& scan, Where where = Where::picture);
+  CaliperLayer(Session& session, Calipers& calipers, ScanView& scan, Where where = Where::image);
   void setKeys(const KeyMap& keys) { keys_ = &keys; }
   /// Where a point is painted: in the middle of its pixel. Of a strip, one that has left lies beyond its left border.
   [[nodiscard]] QPointF placeOf(const glm::dvec2& at) const;

@@ -32,14 +32,14 @@ QString howItCameAbout(const Calipers::Line& line) {
     Extremes pixel, row, axial, lateral;
     for (const auto& part : line.measurement.caliper.parts)
       for (const glm::dvec2& point : part.points) {
-        const measurement::PointUncertainty there = line.at(part.picture, point);
+        const measurement::PointUncertainty there = line.at(part.image, point);
         pixel.take(there.pixel.x);
         row.take(there.pixel.y);
         axial.take(there.axial_mm);
         lateral.take(there.lateral_mm);
       }
     constexpr double kMs = 1000.0;
-    if (line.where == Where::picture) {
+    if (line.where == Where::image) {
       said = CaliperWords::tr("± from the pixel (%1 mm), the resolution along the beam (%2 mm) and the width of the beam (%3 mm).")
                  .arg(range(pixel, 2), range(axial, 1), range(lateral, 1));
     } else {

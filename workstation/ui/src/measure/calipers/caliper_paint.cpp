@@ -198,7 +198,7 @@ void paintCalipers(QPainter& painter, const Calipers& calipers, Where where, con
 
 namespace {
 
-/// What stands beside a number on the picture: the result, behind the item it was measured for.
+/// What stands beside a number on the image: the result, behind the item it was measured for.
 QString resultOf(const Calipers::Line& line) {
   const QString result = CaliperWords::mainResult(line.measured);
   return line.measurement.item.empty() ? result : CaliperWords::titleOf(line.measurement) + QStringLiteral("  ") + result;

@@ -17,7 +17,7 @@ struct CaliperColours {
   QColor chosen;  ///< what is selected or being drawn
 };
 
-/// Lines, crosses at the points that can be taken, and numbers, of the picture or of the strip.
+/// Lines, crosses at the points that can be taken, and numbers, of the image or of the strip.
 /// @param pixelOf where a point lies; left of 0: it is not in the strip
 void paintCalipers(QPainter& painter, const Calipers& calipers, Where where, const std::function<QPointF(const glm::dvec2&)>& pixelOf,
                    const CaliperColours& colours);

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "ew/measurement/on_picture.h"
+#include "ew/measurement/on_image.h"
 #include "ew/widgets/words.h"
 #include "jobs/jobs.h"
 #include "scan/session.h"
@@ -61,7 +61,7 @@ Calipers::Calipers(Session& session, Jobs& jobs, QObject* parent)
       snaps_(QSettings().value(kSnapsSetting, false).toBool()) {
   const int beats = std::clamp(QSettings().value(kBeatsSetting, 1).toInt(), 1, measurement::kMostCycles);
   for (CaliperDrawing& strip : strips_) strip.setCycles(beats);
-  connect(&session_, &Session::pictureChanged, this, &Calipers::look);
+  connect(&session_, &Session::imageChanged, this, &Calipers::look);
   connect(&session_, &Session::subjectReplaced, this, &Calipers::forgetDrawn);
   connect(&session_, &Session::patientReplaced, this, &Calipers::forgetAll);
   connect(&session_, &Session::frozenChanged, this, [this](bool frozen) {
@@ -80,15 +80,15 @@ void Calipers::takeFor(const measurement::PackageItem& item, const std::string& 
 }
 
 void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) {
-  if (!session_.subject() || session_.picture().isEmpty()) return;
-  if (kind == CaliperKind::distance && session_.pictureKnobs().mode == DisplayMode::mMode) kind = CaliperKind::depthDistance;
+  if (!session_.subject() || session_.image().isEmpty()) return;
+  if (kind == CaliperKind::distance && session_.imageKnobs().mode == DisplayMode::mMode) kind = CaliperKind::depthDistance;
   if (measurement::shapeOf(kind).isInStrip) return takeInStrip(kind, asked);
   if (drawing().tool() == kind && drawing().purpose() == asked) {
     return change([](CaliperDrawing& drawing) {
       while (drawing.tool()) drawing.cancel();
     });
   }
-  if (session_.pictureKnobs().mode == DisplayMode::mMode) {
+  if (session_.imageKnobs().mode == DisplayMode::mMode) {
     Q_EMIT said(tr("This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M."));
     return;
   }
@@ -97,7 +97,7 @@ void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) 
   if (!session_.isPlaying()) session_.setFrozen(true);
   turnTo(stillOf(session_));
   look();
-  changeIn(Where::picture, [&](CaliperDrawing& drawing) { drawing.take(kind, purpose); });
+  changeIn(Where::image, [&](CaliperDrawing& drawing) { drawing.take(kind, purpose); });
 }
 
 void Calipers::takeInStrip(CaliperKind kind, const CaliperDrawing::Purpose& asked) {
@@ -122,7 +122,7 @@ bool Calipers::hasStrip() const {
 measurement::StripPlane Calipers::stripPlane() const { return {session_.seen().mMode(), session_.geometry().depth_mm}; }
 
 void Calipers::putDownOther() {
-  CaliperDrawing& other = mine(where_ == Where::strip ? Where::picture : Where::strip);
+  CaliperDrawing& other = mine(where_ == Where::strip ? Where::image : Where::strip);
   while (other.tool()) other.cancel();
   other.select(0);
 }
@@ -132,7 +132,7 @@ void Calipers::choose(Where where, int number) {
 }
 
 void Calipers::clear() {
-  for (const Where where : {where_ == Where::strip ? Where::picture : Where::strip, where_}) mine(where).clear();
+  for (const Where where : {where_ == Where::strip ? Where::image : Where::strip, where_}) mine(where).clear();
   measureAll();
   Q_EMIT changed();
 }
@@ -157,30 +157,30 @@ void Calipers::setSnaps(bool snaps) {
   Q_EMIT changed();
 }
 
-measurement::UncertaintyAt Calipers::uncertaintyIn(const MeasuredImage& image) {
+measurement::UncertaintyAt Calipers::uncertaintyIn(const ImageMeasurements& image) {
   const ScanState& state = image.state;
-  if (image.picture < measurement::kStripPicture) return measurement::uncertaintyOn(state.probe, state.knobs, state.scene, image.geometry);
+  if (image.image < measurement::kStripImage) return measurement::uncertaintyOn(state.probe, state.knobs, state.scene, image.geometry);
   MModeStrip strip;  // its echoes are gone: a column is known, and not what it was interpolated from
   strip.configure(image.geometry.width, image.geometry.height, state.knobs.mSweep_s);
   return measurement::uncertaintyInStrip(state.probe, state.knobs, state.scene, image.geometry, strip);
 }
 
-void Calipers::restore(const std::vector<MeasuredImage>& images, const std::vector<StillPicture>& frames,
+void Calipers::restore(const std::vector<ImageMeasurements>& images, const std::vector<StillImage>& frames,
                        const std::vector<measurement::Combination>& combinations) {
   forgetDrawn();
   forgetAll();
   for (std::size_t n = 0; n < images.size(); ++n) {
-    const MeasuredImage& image = images[n];
+    const ImageMeasurements& image = images[n];
     const auto at = uncertaintyIn(image);
     std::vector<measurement::Finding> found;
-    for (const Measurement& each : image.measurements.all) found.push_back({image.picture, each, measured(each.caliper, at), at});
-    findings_.measuredIn(image.picture, std::move(found));
-    if (image.picture >= measurement::kStripPicture) {
-      stripNumber_ = nextStrip_ = std::max(nextStrip_, (image.picture - measurement::kStripPicture) / 2 + 1);
+    for (const Measurement& each : image.measurements.all) found.push_back({image.image, each, measured(each.caliper, at), at});
+    findings_.measuredIn(image.image, std::move(found));
+    if (image.image >= measurement::kStripImage) {
+      stripNumber_ = nextStrip_ = std::max(nextStrip_, (image.image - measurement::kStripImage) / 2 + 1);
       continue;
     }
-    nextPicture_ = std::max(nextPicture_, image.picture + 1);
-    if (n < frames.size()) drawn_.put(frames[n], {CaliperDrawing(0, image.measurements), image.picture});
+    nextImage_ = std::max(nextImage_, image.image + 1);
+    if (n < frames.size()) drawn_.put(frames[n], {CaliperDrawing(0, image.measurements), image.image});
   }
   for (const measurement::Combination& each : combinations) findings_.add(each.kind, each.of);
   if (!frames.empty() && session_.isPlaying()) {
@@ -202,10 +202,10 @@ void Calipers::removeCombination(int number) {
   if (findings_.remove(number)) Q_EMIT changed();
 }
 
-std::optional<std::uint64_t> Calipers::picture() const { return drawn_.picture() ? std::optional(drawn_.now().picture) : std::nullopt; }
+std::optional<std::uint64_t> Calipers::image() const { return drawn_.image() ? std::optional(drawn_.now().image) : std::nullopt; }
 
 void Calipers::putDown() {
-  for (const Where where : {Where::picture, Where::strip})
+  for (const Where where : {Where::image, Where::strip})
     while (drawingIn(where).tool()) mine(where).cancel();
 }
 
@@ -224,8 +224,8 @@ void Calipers::exchange(Calipers& other) {
   if (!std::exchange(other.hadStrip_, true)) other.stripNumber_ = ++nextStrip_;
   hadStrip_ = true;
   std::swap(stripNumber_, other.stripNumber_);
-  // No two pictures of the window have the same number, whichever of the two drew on them.
-  nextPicture_ = other.nextPicture_ = std::max(nextPicture_, other.nextPicture_);
+  // No two images of the window have the same number, whichever of the two drew on them.
+  nextImage_ = other.nextImage_ = std::max(nextImage_, other.nextImage_);
   nextStrip_ = other.nextStrip_ = std::max(nextStrip_, other.nextStrip_);
 }
 
@@ -240,7 +240,7 @@ void Calipers::changeIn(Where where, const std::function<void(CaliperDrawing&)>&
   if (isOther) putDownOther();
   const int next = drawing().shown().nextNumber;
   edit(mine(where));
-  if (where == Where::picture && followsEdges_ && drawing().shown().nextNumber == next + 1) followEdge(next);
+  if (where == Where::image && followsEdges_ && drawing().shown().nextNumber == next + 1) followEdge(next);
   measureAll();
   Q_EMIT changed();
 }
@@ -257,24 +257,24 @@ void Calipers::followEdge(int number) {
   if (made == nullptr || (made->caliper.kind != CaliperKind::trace && made->caliper.kind != CaliperKind::fittedEllipse)) return;
   if (made->caliper.parts[0].points.size() > kMostClicks) return;
   struct Traced {
-    GreyImage picture;
+    GreyImage image;
     DisplayGeometry geometry;
     measurement::Caliper clicked;
     std::vector<glm::dvec2> outline;
   };
-  auto traced = std::make_shared<Traced>(Traced{copyOf(session_.picture().grey), session_.geometry(), made->caliper, {}});
+  auto traced = std::make_shared<Traced>(Traced{copyOf(session_.image().grey), session_.geometry(), made->caliper, {}});
   jobs_.start(
       tr("Following the edge"),
       [traced](Progress&) -> Result<void> {
-        const auto follow = traced->clicked.kind == CaliperKind::trace ? measurement::traceOnPicture : measurement::ellipseOnPicture;
-        auto outline = follow(viewOf(std::as_const(traced->picture)), traced->geometry, traced->clicked.parts[0].points);
+        const auto follow = traced->clicked.kind == CaliperKind::trace ? measurement::traceOnImage : measurement::ellipseOnImage;
+        auto outline = follow(viewOf(std::as_const(traced->image)), traced->geometry, traced->clicked.parts[0].points);
         if (!outline) return passOn(outline.error());
         traced->outline = std::move(*outline);
         return {};
       },
-      [self = QPointer<Calipers>(this), traced, number, picture = stillOf(session_)](const Result<void>& outcome) {
+      [self = QPointer<Calipers>(this), traced, number, image = stillOf(session_)](const Result<void>& outcome) {
         if (!self) return;
-        Drawn* drawn = self->drawn_.find(picture);
+        Drawn* drawn = self->drawn_.find(image);
         const Measurement* clicked = drawn != nullptr ? drawn->drawing.shown().find(number) : nullptr;
         if (clicked == nullptr || clicked->caliper != traced->clicked) return;  // somebody has gone on with it
         if (!outcome) {
@@ -287,11 +287,11 @@ void Calipers::followEdge(int number) {
       });
 }
 
-void Calipers::turnTo(const StillPicture& picture) {
+void Calipers::turnTo(const StillImage& image) {
   const auto tool = mine().tool();
   const CaliperDrawing::Purpose purpose = mine().purpose();
-  if (!drawn_.turnTo(picture)) return;
-  if (drawn_.now().picture == 0) drawn_.now().picture = nextPicture_++;
+  if (!drawn_.turnTo(image)) return;
+  if (drawn_.now().image == 0) drawn_.now().image = nextImage_++;
   uncertaintyAt_ = {};
   if (mine().tool() == tool && mine().purpose() == purpose) return;
   if (tool)
@@ -302,14 +302,14 @@ void Calipers::turnTo(const StillPicture& picture) {
 
 void Calipers::look() {
   followStrip();
-  if (!drawn_.picture()) return;
+  if (!drawn_.image()) return;
   if (!session_.isFrozen() && !session_.isPlaying()) return forget();
   turnTo(stillOf(session_));
   if (uncertaintyAt_ && geometry_ == session_.geometry()) return;
-  // The same picture in a window of another size: other pixels.
+  // The same image in a window of another size: other pixels.
   geometry_ = session_.geometry();
-  uncertaintyAt_ = measurement::uncertaintyOn(session_.pictureProbe(), session_.pictureKnobs(), session_.pictureScene(), geometry_);
-  std::erase_if(lines_, [](const Line& line) { return line.where == Where::picture; });
+  uncertaintyAt_ = measurement::uncertaintyOn(session_.imageProbe(), session_.imageKnobs(), session_.imageScene(), geometry_);
+  std::erase_if(lines_, [](const Line& line) { return line.where == Where::image; });
   measureAll();
   Q_EMIT changed();
 }
@@ -322,7 +322,7 @@ void Calipers::followStrip() {
       strips_[1] = CaliperDrawing();  // the recording was closed, and its moments with it
       strips_[1].setCycles(beats);
     }
-    if (where_ == Where::strip && !hasStrip()) where_ = Where::picture;
+    if (where_ == Where::strip && !hasStrip()) where_ = Where::image;
     measureAll();
     Q_EMIT changed();
   }
@@ -359,7 +359,7 @@ void Calipers::forgetDrawn() {
     strip = CaliperDrawing();
     strip.setCycles(beats);
   }
-  where_ = Where::picture;
+  where_ = Where::image;
   stripAt_ = {};
   drawn_.forget();
   uncertaintyAt_ = {};
@@ -368,19 +368,19 @@ void Calipers::forgetDrawn() {
 }
 
 std::size_t Calipers::unsavedCount() const {
-  const auto isAsWritten = [this](std::uint64_t picture, int number) {
-    const measurement::Finding *now = findings_.find(picture, number), *then = saved_.find(picture, number);
+  const auto isAsWritten = [this](std::uint64_t image, int number) {
+    const measurement::Finding *now = findings_.find(image, number), *then = saved_.find(image, number);
     if (now == nullptr || then == nullptr) return now == then;  // a result may be left of a measurement that was deleted
     return now->measurement == then->measurement;
   };
   const auto measured = std::count_if(findings_.all().begin(), findings_.all().end(), [&](const measurement::Finding& each) {
-    return each.measurement.item.empty() && !isAsWritten(each.picture, each.measurement.number);
+    return each.measurement.item.empty() && !isAsWritten(each.image, each.measurement.number);
   });
   const auto& written = saved_.combinations();
   const auto combined =
       std::count_if(findings_.combinations().begin(), findings_.combinations().end(), [&](const measurement::Combination& each) {
         return std::find(written.begin(), written.end(), each) == written.end() ||
-               !std::all_of(each.of.begin(), each.of.end(), [&](const auto& ref) { return isAsWritten(ref.picture, ref.number); });
+               !std::all_of(each.of.begin(), each.of.end(), [&](const auto& ref) { return isAsWritten(ref.image, ref.number); });
       });
   return static_cast<std::size_t>(measured + combined);
 }
@@ -409,8 +409,8 @@ void Calipers::measureLines(Where where, const measurement::Measurements& shown,
       continue;
     }
     if (where == Where::strip && hasStrip() && !std::exchange(isStripKnown, true))
-      stripAt_ = measurement::uncertaintyInStrip(session_.pictureProbe(), session_.pictureKnobs(), session_.pictureScene(),
-                                                 session_.geometry(), session_.seen().mMode());
+      stripAt_ = measurement::uncertaintyInStrip(session_.imageProbe(), session_.imageKnobs(), session_.imageScene(), session_.geometry(),
+                                                 session_.seen().mMode());
     const measurement::UncertaintyAt& at = uncertainty(where);
     now.push_back({measurement, measured(measurement.caliper, at), where, at, where == Where::strip && hasLeft(measurement.caliper)});
   }
@@ -418,8 +418,8 @@ void Calipers::measureLines(Where where, const measurement::Measurements& shown,
 
 void Calipers::measureAll() {
   std::vector<Line> now;
-  measureLines(Where::picture, drawingIn(Where::picture).shown(), now);
-  const std::size_t ofPicture = now.size();
+  measureLines(Where::image, drawingIn(Where::image).shown(), now);
+  const std::size_t ofImage = now.size();
   measureLines(Where::strip, drawingIn(Where::strip).shown(), now);
   const bool isSame = std::equal(now.begin(), now.end(), lines_.begin(), lines_.end(),
                                  [](const Line& a, const Line& b) { return a.where == b.where && a.measurement == b.measurement; });
@@ -435,10 +435,10 @@ void Calipers::measureAll() {
   std::vector<measurement::Finding> found, inStrip;
   for (std::size_t n = 0; n < lines_.size(); ++n) {
     const Line& line = lines_[n];
-    const bool isOfPicture = n < ofPicture;
-    (isOfPicture ? found : inStrip).push_back({isOfPicture ? drawn_.now().picture : strip(), line.measurement, line.measured, line.at});
+    const bool isOfImage = n < ofImage;
+    (isOfImage ? found : inStrip).push_back({isOfImage ? drawn_.now().image : strip(), line.measurement, line.measured, line.at});
   }
-  if (drawn_.picture()) findings_.measuredIn(drawn_.now().picture, std::move(found));
+  if (drawn_.image()) findings_.measuredIn(drawn_.now().image, std::move(found));
   findings_.measuredIn(strip(), std::move(inStrip));
   Q_EMIT linesChanged();
 }

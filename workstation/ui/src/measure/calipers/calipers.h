@@ -12,20 +12,20 @@
 #include "ew/measurement/findings.h"
 #include "ew/measurement/package.h"
 #include "ew/measurement/strip.h"
-#include "measure/calipers/measured_work.h"
+#include "measure/calipers/measurement_work.h"
 #include "measure/words/caliper_words.h"
-#include "scan/still_picture.h"
+#include "scan/still_image.h"
 
 namespace ew::ui {
 
 class Jobs;
 class Session;
 
-/// The measurements of the picture that stands still: what was drawn on it, and what that measures. They belong to one picture: another
+/// The measurements of the image that stands still: what was drawn on it, and what that measures. They belong to one image: another
 /// one of the cine loop or of a recording has its own, and they are there again when it is. The scan that goes on, or the recording that is
 /// closed, takes all of them away.
 /// Those of the strip belong to moments of the scan, which the strip shows live or frozen: they stay with their echoes, and in the list
-/// when those have left. What all of them measured is found together for results over several pictures, and stays until another patient
+/// when those have left. What all of them measured is found together for results over several images, and stays until another patient
 /// comes.
 class Calipers final : public QObject {
   Q_OBJECT
@@ -40,7 +40,7 @@ class Calipers final : public QObject {
   void take(measurement::CaliperKind kind);
   /// Takes the tool that an item is usually measured with; what it draws is measured for the item. @param side of a sided one
   void takeFor(const measurement::PackageItem& item, const std::string& side);
-  /// Pauses what plays: a point is set in a picture that stands still.
+  /// Pauses what plays: a point is set in an image that stands still.
   void hold() { Q_EMIT pauseAsked(); }
   /// The one that was used last: undo, keys and the tool at hand are its own.
   [[nodiscard]] const measurement::CaliperDrawing& drawing() const { return drawingIn(where_); }
@@ -48,10 +48,10 @@ class Calipers final : public QObject {
     return where == Where::strip ? strips_[session_.isPlaying() ? 1 : 0] : drawn_.now().drawing;
   }
   [[nodiscard]] Where where() const { return where_; }
-  /// Of the picture that is measured: never the same for two. Empty: none is.
-  [[nodiscard]] std::optional<std::uint64_t> picture() const;
-  [[nodiscard]] std::uint64_t strip() const { return measurement::kStripPicture + 2 * stripNumber_ + (session_.isPlaying() ? 1 : 0); }
-  /// What is drawn changes places with that of another one, as their sessions' pictures do (Session::exchangePicture): before those. The
+  /// Of the image that is measured: never the same for two. Empty: none is.
+  [[nodiscard]] std::optional<std::uint64_t> image() const;
+  [[nodiscard]] std::uint64_t strip() const { return measurement::kStripImage + 2 * stripNumber_ + (session_.isPlaying() ? 1 : 0); }
+  /// What is drawn changes places with that of another one, as their sessions' images do (Session::exchangeImage): before those. The
   /// tool is put down. Nobody is told before tellOfAll().
   void exchange(Calipers& other);
   void tellOfAll();
@@ -60,9 +60,9 @@ class Calipers final : public QObject {
   void changeIn(Where where, const std::function<void(measurement::CaliperDrawing&)>& edit);
   /// Chooses a line of the list.
   void choose(Where where, int number);
-  void clear();  ///< of the picture and of the strip
+  void clear();  ///< of the image and of the strip
 
-  /// Time and depth of the strip's pixels. As long as this picture is shown.
+  /// Time and depth of the strip's pixels. As long as this image is shown.
   [[nodiscard]] measurement::StripPlane stripPlane() const;
   [[nodiscard]] bool hasStrip() const;
   /// Heart beats between the cursors of the heart rate that is chosen, and of those drawn from now on.
@@ -80,19 +80,19 @@ class Calipers final : public QObject {
   struct Line {
     measurement::Measurement measurement;
     measurement::Measured measured;  ///< without figures: nothing can be measured yet
-    Where where = Where::picture;
+    Where where = Where::image;
     measurement::UncertaintyAt at = {};  ///< as it was measured with
     bool hasLeft = false;                ///< some of its echoes are not in the strip any more, or not yet
   };
-  /// What is drawn, in its order; that of the strip behind that of the picture.
+  /// What is drawn, in its order; that of the strip behind that of the image.
   [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
   /// What is being drawn, with the pointer as its next point.
   [[nodiscard]] const std::optional<Line>& unfinished() const { return unfinished_; }
-  [[nodiscard]] const measurement::UncertaintyAt& uncertainty(Where where = Where::picture) const {
+  [[nodiscard]] const measurement::UncertaintyAt& uncertainty(Where where = Where::image) const {
     return where == Where::strip ? stripAt_ : uncertaintyAt_;
   }
 
-  /// All that was measured for this patient, and results over several pictures.
+  /// All that was measured for this patient, and results over several images.
   [[nodiscard]] const measurement::Findings& findings() const { return findings_; }
   /// Of these, how many were not written to a file as they are now. What was measured for an item is none of them: it stands in its
   /// worksheet, which asks for itself.
@@ -102,10 +102,10 @@ class Calipers final : public QObject {
   /// All that was measured before the program ended, in place of what there is. Its images are shown as the frames of a recording, if they
   /// are: then the calipers are drawn on them.
   /// @param frames of each image the one that shows it; empty: none does
-  void restore(const std::vector<MeasuredImage>& images, const std::vector<StillPicture>& frames,
+  void restore(const std::vector<ImageMeasurements>& images, const std::vector<StillImage>& frames,
                const std::vector<measurement::Combination>& combinations);
-  /// How the points of an image are known, which need not be on the screen. @param picture as picture() or strip()
-  [[nodiscard]] static measurement::UncertaintyAt uncertaintyIn(const MeasuredImage& image);
+  /// How the points of an image are known, which need not be on the screen. @param image as image() or strip()
+  [[nodiscard]] static measurement::UncertaintyAt uncertaintyIn(const ImageMeasurements& image);
   int combine(measurement::CombinationKind kind, std::vector<measurement::FigureRef> of);
   void removeCombination(int number);
 
@@ -118,7 +118,7 @@ class Calipers final : public QObject {
  private:
   struct Drawn {
     measurement::CaliperDrawing drawing = measurement::CaliperDrawing();
-    std::uint64_t picture = 0;
+    std::uint64_t image = 0;
   };
   void putDown();
   void takeInto(measurement::CaliperKind kind, const measurement::CaliperDrawing::Purpose& purpose);
@@ -129,11 +129,11 @@ class Calipers final : public QObject {
   void forgetDrawn();  ///< of a scan: what was measured stays
   void measureLines(Where where, const measurement::Measurements& shown, std::vector<Line>& now);
   [[nodiscard]] bool hasLeft(const measurement::Caliper& caliper) const;
-  [[nodiscard]] measurement::CaliperDrawing& mine(Where where = Where::picture) {
+  [[nodiscard]] measurement::CaliperDrawing& mine(Where where = Where::image) {
     return where == Where::strip ? strips_[session_.isPlaying() ? 1 : 0] : drawn_.now().drawing;
   }
   /// The tool stays in the hand.
-  void turnTo(const StillPicture& picture);
+  void turnTo(const StillImage& image);
   void look();
   void forget();
   void measureAll();
@@ -142,17 +142,17 @@ class Calipers final : public QObject {
 
   Session& session_;
   Jobs& jobs_;
-  OfPictures<Drawn> drawn_;
-  std::uint64_t nextPicture_ = 1;
+  OfImages<Drawn> drawn_;
+  std::uint64_t nextImage_ = 1;
   DisplayGeometry geometry_;
   measurement::UncertaintyAt uncertaintyAt_;
   std::vector<Line> lines_;
   std::optional<Line> unfinished_;
   std::array<measurement::CaliperDrawing, 2> strips_;  ///< of the scan, and of a recording that is shown: each has a clock of its own
-  std::uint64_t stripNumber_ = 0, nextStrip_ = 0;      ///< each picture beside others has a strip of its own
+  std::uint64_t stripNumber_ = 0, nextStrip_ = 0;      ///< each image beside others has a strip of its own
   bool hadStrip_ = false;
   bool wasPlaying_ = false;
-  Where where_ = Where::picture;
+  Where where_ = Where::image;
   measurement::UncertaintyAt stripAt_;
   measurement::Findings findings_;
   measurement::Findings saved_;  ///< as they were written last

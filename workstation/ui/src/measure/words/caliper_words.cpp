@@ -132,7 +132,7 @@ QString CaliperWords::otherResults(const measurement::Measured& measured, const 
 
 QString CaliperWords::numberOf(Where where, int number) {
   switch (where) {
-    case Where::picture:
+    case Where::image:
       return QString::number(number);
     case Where::strip:
       return tr("M%1", "number of a measurement in the M-mode").arg(number);
@@ -143,7 +143,7 @@ QString CaliperWords::numberOf(Where where, int number) {
 QString CaliperWords::snapWord(const measurement::SnapTarget& target, bool isInStrip) {
   switch (target.kind) {
     case measurement::SnapKind::point:
-      return tr("cross %1").arg(numberOf(isInStrip ? Where::strip : Where::picture, target.number));
+      return tr("cross %1").arg(numberOf(isInStrip ? Where::strip : Where::image, target.number));
     case measurement::SnapKind::edge:
       return tr("edge");
     case measurement::SnapKind::horizontal:

@@ -10,7 +10,7 @@
 namespace ew::ui {
 
 /// Where a caliper is drawn: on the scan, or in the strip of the M-mode.
-enum class Where { picture, strip };
+enum class Where { image, strip };
 
 /// How the window names calipers and writes what they measure, in its language.
 struct CaliperWords {

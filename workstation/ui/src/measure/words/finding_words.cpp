@@ -51,12 +51,11 @@ QString FindingWords::numberOf(const Combination& combination) {
 }
 
 QString FindingWords::placeOf(const Findings& findings, const Finding& finding) {
-  const bool isStrip = finding.picture >= measurement::kStripPicture;
+  const bool isStrip = finding.image >= measurement::kStripImage;
   const QString what =
-      QStringLiteral("%1 %2").arg(CaliperWords::numberOf(isStrip ? Where::strip : Where::picture, finding.measurement.number),
+      QStringLiteral("%1 %2").arg(CaliperWords::numberOf(isStrip ? Where::strip : Where::image, finding.measurement.number),
                                   CaliperWords::titleOf(finding.measurement));
-  return isStrip ? what
-                 : tr("Image %1: %2", "an image's number, and a measurement in it").arg(findings.ordinalOf(finding.picture)).arg(what);
+  return isStrip ? what : tr("Image %1: %2", "an image's number, and a measurement in it").arg(findings.ordinalOf(finding.image)).arg(what);
 }
 
 QString FindingWords::textOf(const Findings& findings, const Finding& finding, const CaliperFigure& figure) {
@@ -74,7 +73,7 @@ QString FindingWords::howItCameAbout(const Findings& findings, const Combination
   if (!combined) return words(combined.error().message);
   QStringList said, from;
   for (std::size_t n = 0; n < combination.of.size(); ++n) {
-    const Finding* finding = findings.find(combination.of[n].picture, combination.of[n].number);
+    const Finding* finding = findings.find(combination.of[n].image, combination.of[n].number);
     const CaliperFigure* figure = finding != nullptr ? finding->measured.figure(combination.of[n].figure) : nullptr;
     if (figure != nullptr)
       from << tr("%1 = %2", "an input and what it is").arg(inputOf(combination.kind, n), textOf(findings, *finding, *figure));

@@ -7,7 +7,7 @@
 
 namespace ew::ui {
 
-/// How the window names what was measured in several pictures, and results over them.
+/// How the window names what was measured in several images, and results over them.
 struct FindingWords {
   Q_DECLARE_TR_FUNCTIONS(ew::ui::FindingWords)
 

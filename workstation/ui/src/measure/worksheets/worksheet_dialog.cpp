@@ -162,8 +162,8 @@ void WorksheetDialog::showAll() {
     const QString value = CaliperWords::textOf(converted(found.entry.quantity, item->unit));
     values_->addAction(side.isEmpty() ? tr("%1: %2", "an item and its value").arg(title, value)
                                       : tr("%1, %2: %3", "an item, its side and its value").arg(title, side, value),
-                       this, [this, picture = found.picture, number = found.number] {
-                         worksheets_.change([&](Examination& each) { each.remove(picture, number); });
+                       this, [this, image = found.image, number = found.number] {
+                         worksheets_.change([&](Examination& each) { each.remove(image, number); });
                        });
   }
   remove_->setEnabled(!examination->found().empty());

@@ -32,7 +32,7 @@ Result<std::string> paperOf(const measurement::Worksheet& sheet, const QString& 
                        .at = std::chrono::sys_seconds(std::chrono::seconds(at.toSecsSinceEpoch())),
                        .examiner = person.toStdString()};
   for (const WorksheetImage& image : images)
-    about.pictures.push_back({.caption = verbatim(image.caption.toStdString()), .bytes = pngOf(image.image), .isSmall = true});
+    about.images.push_back({.caption = verbatim(image.caption.toStdString()), .bytes = pngOf(image.image), .isSmall = true});
   return pdfOf(worksheetReport(sheet, std::move(about), language),
                {.language = language, .words = [](const Message& message) { return words(message).toStdString(); }});
 }

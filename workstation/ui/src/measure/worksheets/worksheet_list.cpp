@@ -131,22 +131,22 @@ void WorksheetList::showValues() {
   for (const Entry& entry : entries_) {
     const PackageItem* item = examination->package().item(entry.item);
     entry.value->setText(meanOf(examination->of(entry.item, entry.side), item->unit));
-    const QString pictures = picturesOf(entry);
-    entry.button->setToolTip(pictures.isEmpty() ? entry.tip : entry.tip + QLatin1Char('\n') + pictures);
+    const QString images = imagesOf(entry);
+    entry.button->setToolTip(images.isEmpty() ? entry.tip : entry.tip + QLatin1Char('\n') + images);
     entry.button->setMinimumHeight(entry.button->layout()->heightForWidth(std::max(entry.button->width(), 160)));
   }
 }
 
-/// Where the values of an item were measured, when there are several pictures.
-QString WorksheetList::picturesOf(const Entry& entry) const {
+/// Where the values of an item were measured, when there are several images.
+QString WorksheetList::imagesOf(const Entry& entry) const {
   QStringList names;
-  if (!worksheets_.nameOfPicture) return {};
+  if (!worksheets_.nameOfImage) return {};
   for (const auto& found : worksheets_.current()->found()) {
     if (found.entry.label != entry.item || found.entry.side != entry.side) continue;
-    const QString name = worksheets_.nameOfPicture(found.picture);
+    const QString name = worksheets_.nameOfImage(found.image);
     if (!name.isEmpty() && !names.contains(name)) names << name;
   }
-  return names.isEmpty() ? QString() : tr("Measured on picture %1").arg(names.join(QStringLiteral(", ")));
+  return names.isEmpty() ? QString() : tr("Measured on image %1").arg(names.join(QStringLiteral(", ")));
 }
 
 /// An item whose caliper is in the hand is checked.

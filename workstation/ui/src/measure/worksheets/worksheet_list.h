@@ -41,7 +41,7 @@ class WorksheetList final : public QWidget {
     QLabel* value = nullptr;
     QString tip;  ///< what it is, and where its calipers go
   };
-  [[nodiscard]] QString picturesOf(const Entry& entry) const;
+  [[nodiscard]] QString imagesOf(const Entry& entry) const;
   std::vector<Entry> entries_;
   const void* shownPackage_ = nullptr;  ///< whose items are listed
 };

@@ -49,14 +49,14 @@ void Worksheets::measure(const std::string& item, const std::string& side) {
 void Worksheets::take() {
   if (current_ == nullptr) return;
   std::vector<Message> remarks;
-  const auto enter = [&](std::uint64_t picture, Where where) {
-    auto said = current_->measuredIn(picture, calipers_.drawingIn(where).shown(), calipers_.uncertainty(where));
+  const auto enter = [&](std::uint64_t image, Where where) {
+    auto said = current_->measuredIn(image, calipers_.drawingIn(where).shown(), calipers_.uncertainty(where));
     remarks.insert(remarks.end(), said.begin(), said.end());
   };
-  const auto picture = calipers_.picture();
-  if (picture) enter(*picture, Where::picture);
+  const auto image = calipers_.image();
+  if (image) enter(*image, Where::image);
   enter(calipers_.strip(), Where::strip);
-  if (picture || !remarks.empty()) refused_ = remarks.empty() ? QString() : words(remarks.back());
+  if (image || !remarks.empty()) refused_ = remarks.empty() ? QString() : words(remarks.back());
   Q_EMIT changed();
 }
 
@@ -85,29 +85,29 @@ void Worksheets::setSaved(const std::vector<const Examination*>& written) {
   for (const Examination* each : written) saved_.insert_or_assign(each->package().id, *each);
 }
 
-void Worksheets::keepIn(MeasuredWork& work) const {
+void Worksheets::keepIn(MeasurementWork& work) const {
   for (const Examination* each : filled()) {
-    MeasuredWork::Sheet sheet{each->package().id, each->gestation_weeks(), each->answers(), {}};
-    for (const Examination::Found& found : each->found()) sheet.found.emplace_back(found.picture, found.number);
+    MeasurementWork::Sheet sheet{each->package().id, each->gestation_weeks(), each->answers(), {}};
+    for (const Examination::Found& found : each->found()) sheet.found.emplace_back(found.image, found.number);
     work.sheets.push_back(std::move(sheet));
   }
   work.current = current_ != nullptr ? current_->package().id : std::string();
 }
 
-void Worksheets::restore(const MeasuredWork& work) {
+void Worksheets::restore(const MeasurementWork& work) {
   current_ = nullptr;
   examinations_.clear();
   saved_.clear();
-  for (const MeasuredWork::Sheet& sheet : work.sheets) {
+  for (const MeasurementWork::Sheet& sheet : work.sheets) {
     const auto package = std::find_if(packages_.begin(), packages_.end(), [&](const auto& each) { return each->id == sheet.package; });
     if (package == packages_.end()) continue;
     Examination& filled = examinations_.try_emplace(sheet.package, *package).first->second;
-    for (const MeasuredImage& image : work.images) {
+    for (const ImageMeasurements& image : work.images) {
       measurement::Measurements inSheet = image.measurements;
       std::erase_if(inSheet.all, [&](const measurement::Measurement& each) {
-        return std::find(sheet.found.begin(), sheet.found.end(), std::pair(image.picture, each.number)) == sheet.found.end();
+        return std::find(sheet.found.begin(), sheet.found.end(), std::pair(image.image, each.number)) == sheet.found.end();
       });
-      static_cast<void>(filled.measuredIn(image.picture, inSheet, Calipers::uncertaintyIn(image)));
+      static_cast<void>(filled.measuredIn(image.image, inSheet, Calipers::uncertaintyIn(image)));
     }
     for (const Examination::Answer& answer : sheet.answers) filled.answer(answer.label, answer.side, answer.choice);
     filled.setGestation(sheet.gestation_weeks);

@@ -13,10 +13,10 @@ namespace ew::ui {
 
 class Calipers;
 class Session;
-struct MeasuredWork;
+struct MeasurementWork;
 
 /// The worksheets of the scan that is open: one examination for each package that was chosen. What the calipers measure for an item is
-/// entered as it is drawn, and stays when its picture goes. Another patient begins with empty ones.
+/// entered as it is drawn, and stays when its image goes. Another patient begins with empty ones.
 class Worksheets final : public QObject {
   Q_OBJECT
 
@@ -34,15 +34,15 @@ class Worksheets final : public QObject {
   /// Takes the caliper of an item into the hand, or puts it down when it is there for that.
   void measure(const std::string& item, const std::string& side);
 
-  /// What people call a picture (Calipers::picture) of several; empty: it is the only one, or gone.
-  std::function<QString(std::uint64_t)> nameOfPicture;
-  /// What speaks against measuring an item of this side in the picture in hand; empty: nothing.
+  /// What people call an image (Calipers::image) of several; empty: it is the only one, or gone.
+  std::function<QString(std::uint64_t)> nameOfImage;
+  /// What speaks against measuring an item of this side in the image in hand; empty: nothing.
   std::function<QString(const std::string& side)> whyNotSide;
 
   /// All that was in them before the program ended, in place of what there is.
-  void restore(const MeasuredWork& work);
-  /// What is in them, to be kept: MeasuredWork::sheets and current.
-  void keepIn(MeasuredWork& work) const;
+  void restore(const MeasurementWork& work);
+  /// What is in them, to be kept: MeasurementWork::sheets and current.
+  void keepIn(MeasurementWork& work) const;
 
   /// One with something in it that was not saved since; null when there is none.
   [[nodiscard]] const measurement::Examination* unsaved() const;
@@ -68,7 +68,7 @@ class Worksheets final : public QObject {
   std::map<std::string, measurement::Examination> examinations_;  ///< by package
   std::map<std::string, measurement::Examination> saved_;
   measurement::Examination* current_ = nullptr;
-  QString refused_;  ///< why a value of the picture is not entered; empty: all are
+  QString refused_;  ///< why a value of the image is not entered; empty: all are
   QString said_;     ///< of it last
 };
 

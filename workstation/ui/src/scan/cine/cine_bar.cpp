@@ -78,7 +78,7 @@ CineBar::CineBar(Session& session, QWidget* parent) : QWidget(parent), session_(
     if (isOpen()) close();
     follow();
   });
-  connect(&session_, &Session::pictureChanged, this, [this] {
+  connect(&session_, &Session::imageChanged, this, [this] {
     if (review_ && session_.cineLoop().frame()) showState();  // not in the moment in which the scan runs on and the ring begins anew
   });
   refreshIcons();

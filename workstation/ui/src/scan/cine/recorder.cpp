@@ -8,7 +8,7 @@
 namespace ew::ui {
 
 Recorder::Recorder(Session& session, QObject* parent) : QObject(parent), session_(session) {
-  connect(&session_, &Session::pictureChanged, this, &Recorder::takePicture);
+  connect(&session_, &Session::imageChanged, this, &Recorder::takeImage);
   connect(&session_, &Session::frozenChanged, this, [this](bool frozen) {
     if (recording_) recording_->log.setFrozen(session_.frames().now_s(), frozen);
   });
@@ -25,7 +25,7 @@ void Recorder::start(const std::string& caseId) {
   begin_s_ = session_.frames().now_s();
   trackerState_.clear();
   // Nothing of the time before shows in what is recorded: it could not be shown again.
-  session_.forgetPictures();
+  session_.forgetImages();
   second_.start();
   Q_EMIT changed();
 }
@@ -44,10 +44,10 @@ void Recorder::addNote(const std::string& kind, const nlohmann::json& what) {
   if (recording_) recording_->log.addNote(session_.frames().now_s(), kind, what);
 }
 
-void Recorder::takePicture() {
-  // A frozen picture is made again for a window of another size; it is no new one.
-  if (!recording_ || session_.isFrozen() || session_.probeControl().isLost() || session_.picture().isEmpty()) return;
-  if (recording_->log.frameCount() == 0) recording_->size_px = {session_.picture().width(), session_.picture().height()};
+void Recorder::takeImage() {
+  // A frozen image is made again for a window of another size; it is no new one.
+  if (!recording_ || session_.isFrozen() || session_.probeControl().isLost() || session_.image().isEmpty()) return;
+  if (recording_->log.frameCount() == 0) recording_->size_px = {session_.image().width(), session_.image().height()};
   noteTracker("");
   recording_->log.addFrame(session_.shownState());
 }
@@ -55,7 +55,7 @@ void Recorder::takePicture() {
 /// A frame without a usable pose: whoever reads the recording knows that there was nothing to see, and from when to when.
 void Recorder::takeMissed() {
   if (!recording_ || recording_->log.frameCount() == 0) return;
-  // It may have come back since: then the picture that shows it is the next.
+  // It may have come back since: then the image that shows it is the next.
   if (session_.probeControl().tracking().state != TrackingState::live)
     noteTracker(stateWord(session_.probeControl().tracking().state).english());
   recording_->log.addFrame(session_.probeControl().missedState());

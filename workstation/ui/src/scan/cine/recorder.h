@@ -11,7 +11,7 @@ namespace ew::ui {
 
 class Session;
 
-/// Records the scan of a session while it goes on: every picture with all that it was made with, freezing, and
+/// Records the scan of a session while it goes on: every image with all that it was made with, freezing, and
 /// what was missed while a tracker had lost the probe.
 class Recorder final : public QObject {
   Q_OBJECT
@@ -33,7 +33,7 @@ class Recorder final : public QObject {
   void changed();  ///< begun, ended, or another second long
 
  private:
-  void takePicture();
+  void takeImage();
   void takeMissed();
   void noteTracker(const std::string& state);
 

@@ -141,7 +141,7 @@ void ReplayBar::showFrame() {
   const ScanLog& log = recording_->log;
   const std::size_t frame = log.frameAt(log.frameTime_s(0) + position_s_);
   if (frame_ != frame || !session_.isPlaying()) {
-    if (frame_ && frame < *frame_) session_.forgetPictures();
+    if (frame_ && frame < *frame_) session_.forgetImages();
     session_.play(log.frame(frame));
     frame_ = frame;
   }

@@ -27,14 +27,14 @@ class ReplayBar final : public QWidget {
  public:
   explicit ReplayBar(Session& session, QWidget* parent = nullptr);
 
-  /// Shows the first picture of a recording, at rest.
+  /// Shows the first image of a recording, at rest.
   void load(std::shared_ptr<const ScanRecording> recording);
   /// Back to the live scan; the recording is forgotten.
   void unload();
   [[nodiscard]] const std::shared_ptr<const ScanRecording>& recording() const { return recording_; }
   void setPlaying(bool playing);
   [[nodiscard]] bool isPlaying() const { return tick_.isActive(); }
-  /// @param position_s from the recording's first picture; brought within it
+  /// @param position_s from the recording's first image; brought within it
   void seek(double position_s);
   [[nodiscard]] double position_s() const { return position_s_; }
   [[nodiscard]] double length_s() const;

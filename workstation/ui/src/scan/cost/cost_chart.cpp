@@ -18,7 +18,7 @@ int chartSide_px() { return 12 + scaled(44); }
 int chartTop_px() { return 12 + scaled(20); }
 int chartBottom_px() { return 10 + scaled(38); }
 
-/// Where values are drawn, while one picture of the chart is painted.
+/// Where values are drawn, while one image of the chart is painted.
 struct Plot {
   QRectF box;
   ChartAxis time_ms;

@@ -178,23 +178,23 @@ void CostPanel::cancel() {
 }
 
 void CostPanel::measure() {
-  if (isMeasuring() || !session_.subject() || session_.picture().isEmpty()) return;
+  if (isMeasuring() || !session_.subject() || session_.image().isEmpty()) return;
   problem_.clear();
   answer_->clear();
   auto result = std::make_shared<CostOfAccuracy>();
   const ScanSubject& subject = *session_.subject();
-  const Picture& picture = session_.picture();
+  const DisplayImage& image = session_.image();
   about_ = tr("%1, %2 x %3 pixels, %4")
                .arg(nameOfProbe(session_.console().probe().name))
-               .arg(picture.width())
-               .arg(picture.height())
+               .arg(image.width())
+               .arg(image.height())
                .arg(words(subject.title));
   const QPointer<CostPanel> panel(this);
   job_ = jobs_.start(
       tr("Measuring the cost of accuracy"),
       [result, subject, probe = session_.console().probe(), knobs = session_.console().knobs(),
-       scene = subject.known(session_.console().scene()), pose = session_.probeControl().pose(), width = picture.width(),
-       height = picture.height()](Progress& progress) -> Result<void> {
+       scene = subject.known(session_.console().scene()), pose = session_.probeControl().pose(), width = image.width(),
+       height = image.height()](Progress& progress) -> Result<void> {
         CostOptions options;
         options.threads = 0;  // as the window makes its own frames
         FrameInput seen;

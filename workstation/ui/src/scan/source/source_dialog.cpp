@@ -285,7 +285,7 @@ void SourceDialog::showAll() {
     image_->show({}, {1.0, 1.0}, {}, true, {});
     return;
   }
-  const TracedFrame& frame = provenance_->frames[shown_];
+  const FrameProvenance& frame = provenance_->frames[shown_];
   const bool isSource = shown_ == source_.frame;
   sweep_->setText(wordsOf(provenance_->sweep.filename()));
   sweep_->setToolTip(wordsOf(provenance_->sweep));
@@ -302,14 +302,14 @@ void SourceDialog::showAll() {
   after_->setEnabled(shown_ + 1 < provenance_->frames.size());
   home_->setEnabled(!isSource);
 
-  QImage picture;
+  QImage image;
   if (images_) {
     const std::span<const std::uint8_t> pixels = images_->framePixels(frame.number);
-    picture = QImage(pixels.data(), images_->width, images_->height, images_->width, QImage::Format_Grayscale8).copy();
+    image = QImage(pixels.data(), images_->width, images_->height, images_->width, QImage::Format_Grayscale8).copy();
   }
   const glm::dmat4& m = frame.imageToWorld.matrix;
   const QSizeF pixel_mm(glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])));
-  image_->show(picture, pixel_mm, QPointF(projection.at_px.x, projection.at_px.y), isSource,
+  image_->show(image, pixel_mm, QPointF(projection.at_px.x, projection.at_px.y), isSource,
                problem_.isEmpty() ? tr("Reading the recording…") : problem_);
   image_->setAccessibleDescription(frame_->text());
 }

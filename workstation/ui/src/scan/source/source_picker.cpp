@@ -14,8 +14,8 @@ SourcePicker::SourcePicker(Session& session, ScanView& scan) : PickLayer(session
   connect(&session, &Session::subjectChanged, this, &SourcePicker::clearMark);
 }
 
-void SourcePicker::pictureMoved() {
-  if (mark_ && !(markGeometry_ == session().geometry() && markPose_ == session().picturePose())) clearMark();
+void SourcePicker::imageMoved() {
+  if (mark_ && !(markGeometry_ == session().geometry() && markPose_ == session().imagePose())) clearMark();
 }
 
 void SourcePicker::clearMark() {
@@ -26,7 +26,7 @@ void SourcePicker::clearMark() {
 void SourcePicker::ask(const QPoint& pixel) {
   setCross(pixel);
   mark_ = pixel;
-  markPose_ = session().picturePose();
+  markPose_ = session().imagePose();
   markGeometry_ = session().geometry();
   showOrHide();
   Q_EMIT asked(pixel);
@@ -35,7 +35,7 @@ void SourcePicker::ask(const QPoint& pixel) {
 bool SourcePicker::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::MouseButtonPress && session().subject()) {
     const auto& mouse = *static_cast<QMouseEvent*>(event);
-    const QRect box = scan().pictureRect();
+    const QRect box = scan().imageRect();
     if (mouse.button() == Qt::LeftButton && mouse.modifiers() == Qt::AltModifier && box.contains(mouse.pos())) {
       ask(pixelAt(mouse.localPos() - box.topLeft()));
       return true;

@@ -25,12 +25,12 @@ BoxZoom::BoxZoom(Session& session, ScanView& scan) : QWidget(&scan), session_(se
   hide();
   connect(&session_, &Session::subjectReplaced, this, &BoxZoom::end);
   connect(&session_.console(), &ScanConsole::knobsChanged, this, [this] {
-    if (isDrawing() && session_.pictureKnobs().mode != DisplayMode::bMode) end();
+    if (isDrawing() && session_.imageKnobs().mode != DisplayMode::bMode) end();
   });
 }
 
 bool BoxZoom::toggle() {
-  if (isDrawing() || !session_.subject() || session_.picture().isEmpty()) {
+  if (isDrawing() || !session_.subject() || session_.image().isEmpty()) {
     end();
     return false;
   }
@@ -38,11 +38,11 @@ bool BoxZoom::toggle() {
     Q_EMIT said(tr("A recording shows what it showed. Close it (Escape), then zoom."));
     return false;
   }
-  if (session_.pictureKnobs().mode == DisplayMode::mMode) {
+  if (session_.imageKnobs().mode == DisplayMode::mMode) {
     Q_EMIT said(tr("A box is drawn in the image. Switch to B or B + M (M)."));
     return false;
   }
-  setGeometry(scan_.pictureRect());
+  setGeometry(scan_.imageRect());
   show();
   raise();
   setFocus(Qt::OtherFocusReason);

@@ -9,7 +9,7 @@ namespace ew::ui {
 class ScanView;
 class Session;
 
-/// Over the picture while a box is drawn, which then fills the picture. A live image is formed anew with all its pixels in the box, a
+/// Over the image while a box is drawn, which then fills the image. A live image is formed anew with all its pixels in the box, a
 /// frozen one from the echoes it has.
 class BoxZoom final : public QWidget {
   Q_OBJECT

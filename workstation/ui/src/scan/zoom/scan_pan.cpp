@@ -9,12 +9,12 @@ namespace ew::ui {
 
 ScanPan::ScanPan(Session& session, ScanView& view) : QObject(&view), session_(session), view_(view) {
   view_.installEventFilter(this);
-  connect(&session_, &Session::pictureChanged, this, &ScanPan::showCursor);
+  connect(&session_, &Session::imageChanged, this, &ScanPan::showCursor);
   connect(&session_, &Session::frozenChanged, this, &ScanPan::showCursor);
   showCursor();
 }
 
-bool ScanPan::pans() const { return session_.subject() && !session_.isPlaying() && session_.pictureKnobs().zoom > 1.0; }
+bool ScanPan::pans() const { return session_.subject() && !session_.isPlaying() && session_.imageKnobs().zoom > 1.0; }
 
 void ScanPan::showCursor() {
   if (panning_) return;
@@ -45,7 +45,7 @@ bool ScanPan::eventFilter(QObject* watched, QEvent* event) {
       Pan& pan = detail.pan;
       pan.lateral_mm += (geometry.markerLeft ? 1.0 : -1.0) * perPixel_mm * by.x();
       pan.axial_mm += (geometry.upsideDown ? 1.0 : -1.0) * perPixel_mm * by.y();
-      if (session_.wide() == nullptr) pan = panWithinFan(session_.pictureProbe(), session_.pictureKnobs(), pan);
+      if (session_.wide() == nullptr) pan = panWithinFan(session_.imageProbe(), session_.imageKnobs(), pan);
       session_.console().setDetail(detail.zoom, pan);
       return true;
     }

@@ -15,13 +15,13 @@ WideLayer::WideLayer(Session& session, WideScan& wide, ScanView& scan) : QWidget
   setAttribute(Qt::WA_TransparentForMouseEvents);
   hide();
   connect(&wide_, &WideScan::changed, this, &WideLayer::follow);
-  connect(&session_, &Session::pictureChanged, this, &WideLayer::follow);
+  connect(&session_, &Session::imageChanged, this, &WideLayer::follow);
 }
 
 void WideLayer::follow() {
   setVisible(session_.wide() != nullptr);
   if (isHidden()) return;
-  if (geometry() != scan_.pictureRect()) setGeometry(scan_.pictureRect());
+  if (geometry() != scan_.imageRect()) setGeometry(scan_.imageRect());
   update();
 }
 

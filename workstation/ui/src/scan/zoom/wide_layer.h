@@ -8,7 +8,7 @@ class ScanView;
 class Session;
 class WideScan;
 
-/// Over a wide picture: where the probe is while it grows, in the colour of danger where its image is not woven, and how long it is.
+/// Over a wide image: where the probe is while it grows, in the colour of danger where its image is not woven, and how long it is.
 class WideLayer final : public QWidget {
   Q_OBJECT
 

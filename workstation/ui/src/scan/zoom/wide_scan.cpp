@@ -15,12 +15,12 @@ constexpr int kWideOverview_px = 176;  // the longer side of the small one
 
 /// What the worker weaves with.
 struct WideScan::Loom {
-  WidePicture wide;
+  Panorama wide;
   Growth growth;
 };
 
 WideScan::WideScan(Session& session, QObject* parent) : QObject(parent), session_(session) {
-  connect(&session_, &Session::pictureChanged, this, &WideScan::takePicture);
+  connect(&session_, &Session::imageChanged, this, &WideScan::takeImage);
   connect(&session_, &Session::frozenChanged, this, &WideScan::freeze);
   connect(&session_, &Session::subjectReplaced, this, &WideScan::drop);
   connect(&session_.console(), &ScanConsole::probeChanged, this, [this] {
@@ -57,7 +57,7 @@ void WideScan::toggle() {
 }
 
 void WideScan::start() {
-  if (!session_.subject() || session_.fanPicture().isEmpty()) return;
+  if (!session_.subject() || session_.fanImage().isEmpty()) return;
   if (session_.isPlaying()) return Q_EMIT said(tr("A wide image grows from a scan that runs. Close the recording (Escape) first."));
   if (session_.console().knobs().mode != DisplayMode::bMode)
     return Q_EMIT said(tr("A wide image grows from B-mode images. Switch to B (M) first."));
@@ -103,15 +103,15 @@ void WideScan::freeze(bool frozen) {
   Q_EMIT changed();
 }
 
-void WideScan::takePicture() {
+void WideScan::takeImage() {
   if (state_ == State::off || state_ == State::hidden) return;
-  if (session_.pictureSize_px() != askedSize_px_ && last_) render();
+  if (session_.imageSize_px() != askedSize_px_ && last_) render();
   if (state_ != State::growing || session_.isFrozen() || session_.frames().framesMade() == takenFrame_) return;
   takenFrame_ = session_.frames().framesMade();
   const ScanState& shown = session_.shownState();
   if (shown.knobs.mode != DisplayMode::bMode) return cancel();
   if (worker_.waiting() >= kMostImagesWaiting) return;
-  post(scan_, [image = std::make_shared<const GreyImage>(copyOf(session_.fanPicture().grey)), geometry = session_.fanGeometry(),
+  post(scan_, [image = std::make_shared<const GreyImage>(copyOf(session_.fanImage().grey)), geometry = session_.fanGeometry(),
                probe = shown.probe, knobs = shown.knobs, pose = shown.pose](Loom& loom) {
     Growth& growth = loom.growth;
     growth.latest = loom.wide.add(viewOf(*image), geometry, probe, knobs, pose);
@@ -133,7 +133,7 @@ void WideScan::render() {
 
 void WideScan::post(std::uint64_t scan, const std::function<void(Loom&)>& weave) {
   ++underWay_;
-  askedSize_px_ = session_.pictureSize_px();
+  askedSize_px_ = session_.imageSize_px();
   worker_.add([this, scan, weave, loom = loom_, detail = detail_, size_px = askedSize_px_] {
     weave(*loom);
     std::optional<WideImage> shown;

@@ -7,13 +7,13 @@
 #include <optional>
 #include <vector>
 
-#include "ew/imaging/wide_picture.h"
+#include "ew/imaging/panorama.h"
 #include "ew/widgets/worker.h"
 #include "scan/session.h"
 
 namespace ew::ui {
 
-/// A wide picture in the window: it grows from the live images while the probe slides along its plane, ends with a freeze, and stays until
+/// A wide image in the window: it grows from the live images while the probe slides along its plane, ends with a freeze, and stays until
 /// the scan runs again. Images are woven on a thread of their own; those that come while two wait for it are left out.
 class WideScan final : public QObject {
   Q_OBJECT
@@ -41,7 +41,7 @@ class WideScan final : public QObject {
     double length_mm = 0.0;  ///< across
     Woven latest = Woven::woven;
     std::size_t leftOut = 0;         ///< images that were not woven for what they are
-    std::vector<glm::dvec2> fan_mm;  ///< outline of the latest image, in the plane of the wide picture
+    std::vector<glm::dvec2> fan_mm;  ///< outline of the latest image, in the plane of the wide image
   };
   [[nodiscard]] const Growth& growth() const { return growth_; }
 
@@ -53,7 +53,7 @@ class WideScan final : public QObject {
   struct Loom;
   void start();
   void drop();
-  void takePicture();
+  void takeImage();
   void freeze(bool frozen);
   void render();
   void post(std::uint64_t scan, const std::function<void(Loom&)>& weave);
@@ -63,7 +63,7 @@ class WideScan final : public QObject {
   Session& session_;
   State state_ = State::off;
   Growth growth_;
-  std::uint64_t scan_ = 0;        ///< number of the present wide picture: what comes late of another one is dropped
+  std::uint64_t scan_ = 0;        ///< number of the present wide image: what comes late of another one is dropped
   std::uint64_t takenFrame_ = 0;  ///< FrameTimer::framesMade of the latest image that was taken
   std::optional<WideImage> last_;
   Detail detail_;

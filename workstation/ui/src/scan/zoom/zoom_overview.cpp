@@ -9,7 +9,7 @@
 
 #include "ew/imaging/box_zoom.h"
 #include "ew/scanning/scanner.h"
-#include "ew/widgets/picture_image.h"
+#include "ew/widgets/qt_image.h"
 #include "ew/widgets/theme.h"
 #include "scan/scan_view.h"
 
@@ -49,7 +49,7 @@ ZoomOverview::ZoomOverview(Session& session, ScanView& scan)
   soon_.setSingleShot(true);
   soon_.setInterval(kFormedEvery_ms);
   connect(&soon_, &QTimer::timeout, this, &ZoomOverview::form);
-  connect(&session_, &Session::pictureChanged, this, &ZoomOverview::follow);
+  connect(&session_, &Session::imageChanged, this, &ZoomOverview::follow);
   const auto taken = [this] {
     formed_.reset();
     if (!session_.subject()) return;
@@ -77,7 +77,7 @@ ScanState ZoomOverview::wanted() const {
 bool ZoomOverview::isUpToDate() const { return session_.wide() != nullptr || (formed_ && *formed_ == wanted()); }
 
 void ZoomOverview::follow() {
-  const bool isZoomed = session_.subject() && session_.console().detail().zoom > 1.0 && session_.pictureKnobs().mode != DisplayMode::mMode;
+  const bool isZoomed = session_.subject() && session_.console().detail().zoom > 1.0 && session_.imageKnobs().mode != DisplayMode::mMode;
   if (!isZoomed) {
     isDragged_ = false;
     return hide();
@@ -93,13 +93,13 @@ void ZoomOverview::follow() {
 }
 
 void ZoomOverview::place() {
-  const QRect picture = scan_.pictureRect();
-  const double share = std::min(
-      {static_cast<double>(kWidestOverview_px) / picture.width(), static_cast<double>(kHighestOverview_px) / picture.height(), 0.3});
-  const int wide = std::max(1, static_cast<int>(std::lround(share * picture.width())));
-  const int high = std::max(1, static_cast<int>(std::lround(share * picture.height())));
-  const int right = std::min(picture.right() + 1, scan_.width() - scaled(kBesideScale_px)) - kFromCorner_px;
-  const QRect there(right - wide, picture.bottom() + 1 - kFromCorner_px - high, wide, high);
+  const QRect image = scan_.imageRect();
+  const double share =
+      std::min({static_cast<double>(kWidestOverview_px) / image.width(), static_cast<double>(kHighestOverview_px) / image.height(), 0.3});
+  const int wide = std::max(1, static_cast<int>(std::lround(share * image.width())));
+  const int high = std::max(1, static_cast<int>(std::lround(share * image.height())));
+  const int right = std::min(image.right() + 1, scan_.width() - scaled(kBesideScale_px)) - kFromCorner_px;
+  const QRect there(right - wide, image.bottom() + 1 - kFromCorner_px - high, wide, high);
   if (geometry() != there) setGeometry(there);
 }
 
@@ -113,7 +113,7 @@ void ZoomOverview::form() {
             high = std::max(1, static_cast<int>(std::lround(height() * ratio)));
   worker_.add([self = this, former = former_, state = std::move(state), wide, high] {
     if (!former->scanner.subject()) return;
-    const Picture made = former->scanner.make(state, wide, high);
+    const DisplayImage made = former->scanner.make(state, wide, high);
     QMetaObject::invokeMethod(
         self,
         [self, state, image = imageOf(made).copy(), geometry = former->scanner.geometry()] {
@@ -147,7 +147,7 @@ void ZoomOverview::moveTo(const QPointF& at) {
   const glm::dvec2 p_mm = pointSeenAt(whole, glm::dvec2(at.x() * ratio - 0.5, at.y() * ratio - 0.5));
   const Detail detail = detailAround(whole, {session_.console().detail().zoom, {}}, p_mm);
   session_.console().setDetail(
-      detail.zoom, session_.wide() != nullptr ? detail.pan : panWithinFan(session_.pictureProbe(), session_.pictureKnobs(), detail.pan));
+      detail.zoom, session_.wide() != nullptr ? detail.pan : panWithinFan(session_.imageProbe(), session_.imageKnobs(), detail.pan));
 }
 
 void ZoomOverview::mousePressEvent(QMouseEvent* event) {

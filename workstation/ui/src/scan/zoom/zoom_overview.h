@@ -15,8 +15,8 @@ namespace ew::ui {
 
 class ScanView;
 
-/// In a corner of a zoomed picture the whole of it, small, with the part that is shown as a box; a drag moves the box. The small image is
-/// formed on a thread of its own, some five times a second at most, so that the picture itself waits for nothing.
+/// In a corner of a zoomed image the whole of it, small, with the part that is shown as a box; a drag moves the box. The small image is
+/// formed on a thread of its own, some five times a second at most, so that the image itself waits for nothing.
 class ZoomOverview final : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class ZoomOverview final : public QWidget {
   ZoomOverview(Session& session, ScanView& scan);
   ~ZoomOverview() override;
 
-  /// Of the present picture, or of one a moment ago; null before the first.
+  /// Of the present image, or of one a moment ago; null before the first.
   [[nodiscard]] const QImage& image() const { return image_; }
   /// The part that is shown, in widget coordinates.
   [[nodiscard]] QRectF box() const;

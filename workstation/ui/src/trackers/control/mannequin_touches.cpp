@@ -51,7 +51,7 @@ void MannequinTouches::setTouches(const std::string& id, std::vector<TrackerTouc
 void MannequinTouches::findAlignment(const std::string& id, const std::vector<glm::dvec3>& traced) {
   Aligning& aligning = aligning_[id];
   const std::vector<BodyLandmark> known = landmarks();
-  std::vector<TouchedLandmark> touched;
+  std::vector<LandmarkTouch> touched;
   for (const TrackerTouch& each : aligning.touches) {
     const auto named = std::find_if(known.begin(), known.end(), [&](const BodyLandmark& mark) { return mark.id == each.landmark; });
     touched.push_back({named != known.end() ? words(named->name).toStdString() : each.landmark, each.at_mm, each.at_tracker});

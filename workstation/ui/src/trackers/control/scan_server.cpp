@@ -19,7 +19,7 @@ double since1970_s(const Session& session, double time_s) {
 }  // namespace
 
 ScanServer::ScanServer(Session& session, QObject* parent) : QObject(parent), session_(session) {
-  connect(&session_, &Session::pictureChanged, this, &ScanServer::sendPicture);
+  connect(&session_, &Session::imageChanged, this, &ScanServer::sendImage);
   connect(&session_.probeControl(), &ProbeControl::poseMissed, this, &ScanServer::sendMissed);
   look_.setInterval(kLook_ms);
   connect(&look_, &QTimer::timeout, this, &ScanServer::look);
@@ -34,7 +34,7 @@ Result<int> ScanServer::start(const IgtlServerOptions& options) {
   clients_ = 0;
   sinceSent_.start();
   look_.start();
-  sendPicture();
+  sendImage();
   return port;
 }
 
@@ -45,14 +45,14 @@ void ScanServer::stop() {
 
 void ScanServer::look() {
   const int clients = status().clients;
-  if (clients > clients_) sendPicture();
+  if (clients > clients_) sendImage();
   if (std::exchange(clients_, clients) != clients) Q_EMIT clientsChanged();
   if (sinceSent_.elapsed() >= kRest_ms) sendPose();
 }
 
-/// Where the probe of the picture is, now as before.
+/// Where the probe of the image is, now as before.
 void ScanServer::sendPose() {
-  if (!server_ || session_.probeControl().isLost() || session_.fanPicture().isEmpty()) return;
+  if (!server_ || session_.probeControl().isLost() || session_.fanImage().isEmpty()) return;
   IgtlFrame frame;
   frame.pose = session_.shownState().pose;
   frame.time_s = since1970_s(session_, session_.frames().now_s());
@@ -60,12 +60,12 @@ void ScanServer::sendPose() {
   sinceSent_.start();
 }
 
-void ScanServer::sendPicture() {
-  if (!server_ || session_.probeControl().isLost() || session_.fanPicture().isEmpty()) return;
+void ScanServer::sendImage() {
+  if (!server_ || session_.probeControl().isLost() || session_.fanImage().isEmpty()) return;
   const ScanState& shown = session_.shownState();
   IgtlFrame frame;
   frame.pose = shown.pose;
-  frame.image = session_.fanPicture().grey;
+  frame.image = session_.fanImage().grey;
   frame.imageToWorld = shown.pose.probeToWorld * session_.fanGeometry().imageToProbe();
   // A recording has the clock of its own day.
   frame.time_s = since1970_s(session_, session_.isPlaying() ? session_.frames().now_s() : shown.time_s);

@@ -11,9 +11,9 @@ namespace ew::ui {
 
 class Session;
 
-/// Shows the scan of a session to other programs over OpenIGTLink: with each picture, the picture and where the probe was. While a tracker
-/// has lost the probe no picture is sent, and that it is lost. A probe at rest makes no picture: then its pose is sent all the same, more
-/// than twice a second, for whoever hears nothing for longer believes that it is out of view; and whoever connects gets the picture at
+/// Shows the scan of a session to other programs over OpenIGTLink: each image and where the probe was. While a tracker
+/// has lost the probe no image is sent, and that it is lost. A probe at rest makes no image: then its pose is sent all the same, more
+/// than twice a second, for whoever hears nothing for longer believes that it is out of view; and whoever connects gets the image at
 /// once.
 class ScanServer final : public QObject {
   Q_OBJECT
@@ -35,7 +35,7 @@ class ScanServer final : public QObject {
  private:
   void look();
   void sendPose();
-  void sendPicture();
+  void sendImage();
   void sendMissed();
 
   Session& session_;

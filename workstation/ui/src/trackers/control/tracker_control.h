@@ -26,7 +26,7 @@ class Jobs;
 class ScanServer;
 
 /// Where the middle of the probe's face is.
-struct TrackedFace {
+struct ProbeFacePosition {
   glm::dvec3 at_tracker{0.0};  ///< mm
   glm::dvec3 at_world{0.0};    ///< mm; of meaning once the tracker is aligned
   double time_s = 0.0;         ///< on steadyNow_s()
@@ -91,7 +91,7 @@ class Trackers final : public QObject {
   /// What was touched of it; an alignment found there is kept here, and the probe follows it at once.
   [[nodiscard]] MannequinTouches& mannequin() { return mannequin_; }
   /// Empty while the tool is not seen.
-  [[nodiscard]] std::optional<TrackedFace> face() const;
+  [[nodiscard]] std::optional<ProbeFacePosition> face() const;
   [[nodiscard]] std::optional<ToolReading> reading() const;
   [[nodiscard]] TrackerCalibration calibrationOf(const std::string& id) const;
   /// Where the face lies has to be found by touching: of every tool but a paper body that is a probe itself.

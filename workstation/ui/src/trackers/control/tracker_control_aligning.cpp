@@ -16,12 +16,12 @@ std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODa
 
 std::optional<ToolReading> Trackers::reading() const { return probe_ ? probe_->reading(session_.frames().now_s()) : std::nullopt; }
 
-std::optional<TrackedFace> Trackers::face() const {
+std::optional<ProbeFacePosition> Trackers::face() const {
   const auto now = reading();
   if (!now || now->state != TrackingState::live) return std::nullopt;
   const TrackerCalibration calibration = probe_->calibration();
   const Point<frame::Tracker> at = now->toolToTracker * (calibration.probeToTool * Point<frame::Probe>{});
-  return TrackedFace{at.at, (calibration.trackerToWorld * at).at, now->arrival_s};
+  return ProbeFacePosition{at.at, (calibration.trackerToWorld * at).at, now->arrival_s};
 }
 
 std::string Trackers::toolOf(const std::string& id) const {

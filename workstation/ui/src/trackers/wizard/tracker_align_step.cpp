@@ -17,7 +17,7 @@
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
-#include "trackers/wizard/tracker_body_picture.h"
+#include "trackers/wizard/tracker_body_drawing.h"
 
 namespace ew::ui {
 namespace {
@@ -38,7 +38,7 @@ TrackerAlignStep::TrackerAlignStep(Trackers& trackers, std::string tracker, QWid
       tracker_(std::move(tracker)) {
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
-  body_ = new TrackerBodyPicture;
+  body_ = new TrackerBodyDrawing;
   columns->addWidget(body_, 1);
   auto* column = new QVBoxLayout;
   column->setSpacing(8);
@@ -86,7 +86,7 @@ TrackerAlignStep::TrackerAlignStep(Trackers& trackers, std::string tracker, QWid
   columns->addLayout(column, 1);
   rows().addLayout(columns, 1);
   result_ = addSentence("trackerAlignment");
-  connect(body_, &TrackerBodyPicture::chosen, this, [this](const QString& id) { chooseNext(id.toStdString()); });
+  connect(body_, &TrackerBodyDrawing::chosen, this, [this](const QString& id) { chooseNext(id.toStdString()); });
   connect(take_, &QPushButton::clicked, this, &TrackerAlignStep::take);
   connect(remove_, &QPushButton::clicked, this, &TrackerAlignStep::removeChosen);
   connect(byItself_, &QCheckBox::toggled, this, [](bool on) { QSettings().setValue(kByItself, on); });
@@ -211,10 +211,10 @@ void TrackerAlignStep::showAll() {
   nextName_->setText(isTracing_        ? tr("Trace the surface")
                      : next == nullptr ? tr("All places are touched")
                                        : tr("Touch: %1").arg(words(next->name)));
-  std::vector<TrackerBodyPicture::Place> places;
+  std::vector<TrackerBodyDrawing::Place> places;
   for (const BodyLandmark& each : landmarks_) {
     const auto touch = std::find_if(touches.begin(), touches.end(), [&](const TrackerTouch& t) { return t.landmark == each.id; });
-    using Mark = TrackerBodyPicture::Mark;
+    using Mark = TrackerBodyDrawing::Mark;
     Mark mark = each.id == next_ && !isTracing_ ? Mark::next : Mark::offered;
     if (touch != touches.end() && each.id != next_) mark = each.id == found.wrong ? Mark::bad : Mark::taken;
     places.push_back({each.id, words(each.name), each.at_mm, mark});

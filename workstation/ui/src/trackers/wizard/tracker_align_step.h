@@ -15,7 +15,7 @@ class QPushButton;
 
 namespace ew::ui {
 
-class TrackerBodyPicture;
+class TrackerBodyDrawing;
 class Trackers;
 
 /// The tracker is aligned with the mannequin: places that it is known by are touched with the middle of the probe's face, at least three;
@@ -51,7 +51,7 @@ class TrackerAlignStep final : public TrackerStep {
   std::string next_;
   TrackerStill still_;
   bool isTracing_ = false;
-  TrackerBodyPicture* body_ = nullptr;
+  TrackerBodyDrawing* body_ = nullptr;
   QLabel *nextName_ = nullptr, *hand_ = nullptr, *result_ = nullptr;
   QListWidget* touched_ = nullptr;
   QCheckBox* byItself_ = nullptr;

@@ -16,16 +16,16 @@
 #include "ew/widgets/words.h"
 #include "scan/tracking_look.h"
 #include "trackers/control/tracker_control.h"
-#include "trackers/wizard/tracker_camera_picture.h"
+#include "trackers/wizard/tracker_camera_view.h"
 
 namespace ew::ui {
 namespace {
 
-constexpr double kDark = 45.0;  // mean grey below which a webcam makes its pictures long, and so blurred
+constexpr double kDark = 45.0;  // mean grey below which a webcam makes its images long, and so blurred
 constexpr double kBright = 225.0;
 constexpr double kBlurred_px = 4.0;
 constexpr std::size_t kStill = 20;  // readings that steadiness is told from
-constexpr int kSeenEnough = 30;     // pictures, about a second of them
+constexpr int kSeenEnough = 30;     // images, about a second of them
 constexpr double kNear_mm = 250.0;
 constexpr double kFar_mm = 900.0;
 
@@ -36,23 +36,23 @@ bool isNamed(const std::string& device) { return device.find_first_not_of("01234
 
 }  // namespace
 
-void showCameraView(TrackerCameraPicture& picture, const CameraView& view) {
-  if (view.preview.pixels.empty()) return picture.setPicture({}, {});
+void showCameraView(TrackerCameraView& image, const CameraView& view) {
+  if (view.preview.pixels.empty()) return image.setImage({}, {});
   const QImage grey(view.preview.pixels.data(), view.preview.width, view.preview.height, view.preview.width, QImage::Format_Grayscale8);
-  std::vector<TrackerCameraPicture::Outline> outlines;
+  std::vector<TrackerCameraView::Outline> outlines;
   const Theme look = scanTheme();
   std::vector<bool> named(view.names.size(), false);
   for (const MarkerSight& marker : view.sight.markers) {
     const auto body = static_cast<std::size_t>(marker.body);
     const TrackingState state = body < view.sight.bodies.size() ? view.sight.bodies[body].state : TrackingState::invalid;
-    TrackerCameraPicture::Outline outline;
+    TrackerCameraView::Outline outline;
     for (const glm::dvec2& corner : marker.corners_px) outline.corners << QPointF(corner.x * view.scale, corner.y * view.scale);
     outline.colour = marker.used ? lookOf(state, look).colour : look.quiet;
     if (body < named.size() && !named[body]) outline.word = words(view.names[body]);
     if (body < named.size()) named[body] = true;
     outlines.push_back(std::move(outline));
   }
-  picture.setPicture(grey.copy(), std::move(outlines));
+  image.setImage(grey.copy(), std::move(outlines));
 }
 
 TrackerCameraStep::TrackerCameraStep(Trackers& trackers, std::string tracker, QWidget* parent)
@@ -72,7 +72,7 @@ TrackerCameraStep::TrackerCameraStep(Trackers& trackers, std::string tracker, QW
   cameras_->setMinimumContentsLength(18);
   sizes_ = new QComboBox;
   sizes_->setObjectName(QStringLiteral("trackerSizes"));
-  sizes_->setAccessibleName(tr("Size of the picture"));
+  sizes_->setAccessibleName(tr("Size of the image"));
   sizes_->setToolTip(tr("More pixels see further and cost time; 1280 × 720 is a good middle"));
   for (const QSize size : {QSize(640, 480), QSize(1280, 720), QSize(1920, 1080)}) sizes_->addItem(nameOfSize(size), size);
   auto* again = new QPushButton(tr("Look again"));
@@ -87,8 +87,8 @@ TrackerCameraStep::TrackerCameraStep(Trackers& trackers, std::string tracker, QW
   row->addWidget(again);
   row->addWidget(film);
   rows().addLayout(row);
-  picture_ = new TrackerCameraPicture;
-  rows().addWidget(picture_, 1);
+  image_ = new TrackerCameraView;
+  rows().addWidget(image_, 1);
   verdict_ = addSentence("trackerCameraVerdict");
   connect(cameras_, qOverload<int>(&QComboBox::activated), this, [this] { choose(cameras_->currentData().toString()); });
   connect(sizes_, qOverload<int>(&QComboBox::activated), this, [this] { chooseSize(sizes_->currentData().toSize()); });
@@ -149,27 +149,27 @@ void TrackerCameraStep::chooseSize(const QSize& size) {
 void TrackerCameraStep::poll() {
   const CameraSettings* camera = trackers_.cameraOf(tracker_);
   if (camera == nullptr || !isNamed(camera->device)) {
-    picture_->setEmptySentence(tr("No camera was found. Plug one in and choose 'Look again', or choose a video file."));
-    picture_->setPicture({}, {});
+    image_->setEmptySentence(tr("No camera was found. Plug one in and choose 'Look again', or choose a video file."));
+    image_->setImage({}, {});
     return say(*verdict_, {});
   }
   if (cameras_->currentData().toString() != words(camera->device)) fillCameras();
   const auto view = trackers_.cameraView();
   if (!view || view->preview.pixels.empty()) {
-    picture_->setEmptySentence(words(trackers_.deviceStatus().sentence));
-    picture_->setPicture({}, {});
+    image_->setEmptySentence(words(trackers_.deviceStatus().sentence));
+    image_->setImage({}, {});
     return say(*verdict_, {});
   }
-  showCameraView(*picture_, *view);
+  showCameraView(*image_, *view);
   if (view->light < kDark)
-    say(*verdict_, tr("It is too dark: the camera then takes long pictures, and every motion is blurred. Switch on a lamp."), Tone::bad);
+    say(*verdict_, tr("It is too dark: the camera then takes long images, and every motion is blurred. Switch on a lamp."), Tone::bad);
   else if (view->light > kBright)
     say(*verdict_, tr("It is too bright: white paper loses its edges. Turn a lamp away, or draw a curtain."), Tone::bad);
   else if (view->blur_px > kBlurred_px)
-    say(*verdict_, tr("The picture is blurred while something moves. More light makes it sharper."), Tone::bad);
+    say(*verdict_, tr("The image is blurred while something moves. More light makes it sharper."), Tone::bad);
   else
     say(*verdict_,
-        tr("The picture is bright enough: %1, %2 pictures each second.")
+        tr("The image is bright enough: %1, %2 images each second.")
             .arg(nameOfSize({view->width, view->height}), figure(view->frames_hz, 0)),
         Tone::good);
   if (!std::exchange(seen_, true)) Q_EMIT changed();
@@ -183,13 +183,13 @@ TrackerHoldStep::TrackerHoldStep(Trackers& trackers, std::string tracker, QWidge
           parent),
       trackers_(trackers),
       tracker_(std::move(tracker)) {
-  picture_ = new TrackerCameraPicture;
-  rows().addWidget(picture_, 1);
+  image_ = new TrackerCameraView;
+  rows().addWidget(image_, 1);
   figures_ = addSentence("trackerHoldFigures");
   verdict_ = addSentence("trackerHoldVerdict");
 }
 
-bool TrackerHoldStep::isDone() const { return seenPictures_ >= kSeenEnough || trackers_.isAligned(tracker_); }
+bool TrackerHoldStep::isDone() const { return seenImages_ >= kSeenEnough || trackers_.isAligned(tracker_); }
 
 void TrackerHoldStep::enter() {
   recent_.clear();
@@ -199,13 +199,13 @@ void TrackerHoldStep::enter() {
 void TrackerHoldStep::poll() {
   const auto view = trackers_.cameraView();
   if (!view || view->preview.pixels.empty()) {
-    picture_->setEmptySentence(words(trackers_.deviceStatus().sentence));
-    return picture_->setPicture({}, {});
+    image_->setEmptySentence(words(trackers_.deviceStatus().sentence));
+    return image_->setImage({}, {});
   }
-  showCameraView(*picture_, *view);
-  if (view->number == lastPicture_) return;
-  const auto since = static_cast<int>(view->number - lastPicture_);
-  lastPicture_ = view->number;
+  showCameraView(*image_, *view);
+  if (view->number == lastImage_) return;
+  const auto since = static_cast<int>(view->number - lastImage_);
+  lastImage_ = view->number;
   if (view->sight.bodies.empty()) return say(*verdict_, tr("No paper body is chosen; go back to the first step."), Tone::bad);
   const BodySight& body = view->sight.bodies.front();
   if (body.state != TrackingState::live) {
@@ -213,10 +213,10 @@ void TrackerHoldStep::poll() {
     say(*figures_, {});
     return say(*verdict_, body.state == TrackingState::outOfRange
                               ? tr("It is seen, but too badly to be measured: bring it nearer, or turn another face to the camera.")
-                              : tr("It is not seen. Hold it into the picture, so that no finger covers a marker."));
+                              : tr("It is not seen. Hold it into the image, so that no finger covers a marker."));
   }
   const bool wasDone = isDone();
-  seenPictures_ += std::min(since, 5);
+  seenImages_ += std::min(since, 5);
   recent_.push_back(glm::dvec3(body.bodyToCamera.matrix[3]));
   if (recent_.size() > kStill) recent_.pop_front();
   const double distance_mm = glm::length(recent_.back());
@@ -229,7 +229,7 @@ void TrackerHoldStep::poll() {
                      .arg(body.markers)
                      .arg(figure(std::sqrt(spread), 1)));
   if (distance_mm < kNear_mm)
-    say(*verdict_, tr("Very near: move the camera or your hand back, so that it stays in the picture."));
+    say(*verdict_, tr("Very near: move the camera or your hand back, so that it stays in the image."));
   else if (distance_mm > kFar_mm)
     say(*verdict_, tr("Far away: it will be measured less well. Half a metre is good."));
   else

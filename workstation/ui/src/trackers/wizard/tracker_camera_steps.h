@@ -18,13 +18,13 @@ class QPushButton;
 
 namespace ew::ui {
 
-class TrackerCameraPicture;
+class TrackerCameraView;
 class Trackers;
 
-/// The picture of a camera with what was found in it, in the words and colours of the window.
-void showCameraView(TrackerCameraPicture& picture, const CameraView& view);
+/// The image of a camera with what was found in it, in the words and colours of the window.
+void showCameraView(TrackerCameraView& image, const CameraView& view);
 
-/// Which camera, or which film of one; its picture, and whether light and sharpness will do.
+/// Which camera, or which film of one; its image, and whether light and sharpness will do.
 class TrackerCameraStep final : public TrackerStep {
   Q_OBJECT
 
@@ -44,11 +44,11 @@ class TrackerCameraStep final : public TrackerStep {
   std::string tracker_;
   bool seen_ = false;
   QComboBox *cameras_ = nullptr, *sizes_ = nullptr;
-  TrackerCameraPicture* picture_ = nullptr;
+  TrackerCameraView* image_ = nullptr;
   QLabel* verdict_ = nullptr;
 };
 
-/// The lens: pictures of the chess board are kept by themselves when they show something new, and the camera's own measures are found from
+/// The lens: images of the chess board are kept by themselves when they show something new, and the camera's own measures are found from
 /// them.
 class TrackerLensStep final : public TrackerStep {
   Q_OBJECT
@@ -75,7 +75,7 @@ class TrackerLensStep final : public TrackerStep {
   std::shared_ptr<Gathering> gathering_;  ///< null: not begun
   CalibrationCoverage coverage_;
   bool isLooking_ = false, isSolving_ = false;
-  TrackerCameraPicture* picture_ = nullptr;
+  TrackerCameraView* image_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QLabel *next_ = nullptr, *verdict_ = nullptr;
   QPushButton *solve_ = nullptr, *again_ = nullptr;
@@ -97,9 +97,9 @@ class TrackerHoldStep final : public TrackerStep {
   Trackers& trackers_;
   std::string tracker_;
   std::deque<glm::dvec3> recent_;  ///< places of the body, the last second of them
-  std::uint64_t lastPicture_ = 0;
-  int seenPictures_ = 0;
-  TrackerCameraPicture* picture_ = nullptr;
+  std::uint64_t lastImage_ = 0;
+  int seenImages_ = 0;
+  TrackerCameraView* image_ = nullptr;
   QLabel *verdict_ = nullptr, *figures_ = nullptr;
 };
 

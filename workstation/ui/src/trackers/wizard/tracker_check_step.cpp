@@ -13,7 +13,7 @@
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
-#include "trackers/wizard/tracker_body_picture.h"
+#include "trackers/wizard/tracker_body_drawing.h"
 
 namespace ew::ui {
 namespace {
@@ -33,7 +33,7 @@ TrackerCheckStep::TrackerCheckStep(Trackers& trackers, std::string tracker, QWid
       tracker_(std::move(tracker)) {
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
-  body_ = new TrackerBodyPicture;
+  body_ = new TrackerBodyDrawing;
   columns->addWidget(body_, 1);
   auto* column = new QVBoxLayout;
   column->setSpacing(8);
@@ -107,11 +107,11 @@ void TrackerCheckStep::take(const glm::dvec3& at_world) {
 }
 
 void TrackerCheckStep::showAll() {
-  std::vector<TrackerBodyPicture::Place> places;
+  std::vector<TrackerBodyDrawing::Place> places;
   double worst_mm = 0.0;
   for (const Checked& each : checked_) {
     const bool fits = std::abs(each.gap_mm) <= kGood_mm;
-    places.push_back({{}, {}, each.at_mm, fits ? TrackerBodyPicture::Mark::taken : TrackerBodyPicture::Mark::bad});
+    places.push_back({{}, {}, each.at_mm, fits ? TrackerBodyDrawing::Mark::taken : TrackerBodyDrawing::Mark::bad});
     worst_mm = std::max(worst_mm, std::abs(each.gap_mm));
   }
   body_->setPlaces(std::move(places));

@@ -15,7 +15,7 @@ class FigureLabel;
 
 namespace ew::ui {
 
-class TrackerBodyPicture;
+class TrackerBodyDrawing;
 class Trackers;
 
 /// The proof: the probe's face is laid on the skin in three places, and the program says how far from it it believes to be.
@@ -45,7 +45,7 @@ class TrackerCheckStep final : public TrackerStep {
   std::string tracker_;
   TrackerStill still_;
   std::vector<Checked> checked_;
-  TrackerBodyPicture* body_ = nullptr;
+  TrackerBodyDrawing* body_ = nullptr;
   FigureLabel* gap_ = nullptr;
   QLabel *hand_ = nullptr, *verdict_ = nullptr;
 };

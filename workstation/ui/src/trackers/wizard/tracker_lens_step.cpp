@@ -11,8 +11,8 @@
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "trackers/control/tracker_control.h"
-#include "trackers/wizard/tracker_camera_picture.h"
 #include "trackers/wizard/tracker_camera_steps.h"
+#include "trackers/wizard/tracker_camera_view.h"
 
 namespace ew::ui {
 
@@ -20,25 +20,25 @@ struct TrackerLensStep::Gathering {
   CalibrationCollector collector;
   CharucoBoard board;
   int width = 0, height = 0;
-  std::uint64_t lastPicture = 0;
+  std::uint64_t lastImage = 0;
 };
 
 TrackerLensStep::TrackerLensStep(Trackers& trackers, std::string tracker, QWidget* parent)
     : TrackerStep(
           tr("Measure the lens"),
           tr("Lay the chess board on something flat and stiff, and hold it before the camera: near and far, in the middle and in the "
-             "corners, straight and tipped to each side. Hold it still for a moment; pictures are kept by themselves."),
+             "corners, straight and tipped to each side. Hold it still for a moment; images are kept by themselves."),
           parent),
       trackers_(trackers),
       tracker_(std::move(tracker)) {
   next_ = addSentence("trackerLensNext");
-  picture_ = new TrackerCameraPicture;
-  picture_->setMirrored(true);
-  rows().addWidget(picture_, 1);
+  image_ = new TrackerCameraView;
+  image_->setMirrored(true);
+  rows().addWidget(image_, 1);
   progress_ = new QProgressBar;
   progress_->setTextVisible(false);
   progress_->setRange(0, 20);
-  progress_->setAccessibleName(tr("Pictures that were kept"));
+  progress_->setAccessibleName(tr("Images that were kept"));
   rows().addWidget(progress_);
   verdict_ = addSentence("trackerLensVerdict");
   auto* row = new QHBoxLayout;
@@ -47,7 +47,7 @@ TrackerLensStep::TrackerLensStep(Trackers& trackers, std::string tracker, QWidge
   again_->setObjectName(QStringLiteral("trackerLensAgain"));
   solve_ = new QPushButton(tr("Measure now"));
   solve_->setObjectName(QStringLiteral("trackerLensSolve"));
-  solve_->setToolTip(tr("Finds the measures of the lens from the pictures that are kept; it begins by itself once there are enough"));
+  solve_->setToolTip(tr("Finds the measures of the lens from the images that are kept; it begins by itself once there are enough"));
   row->addStretch(1);
   for (QPushButton* each : {again_, solve_}) {
     each->setAutoDefault(false);
@@ -83,45 +83,44 @@ void TrackerLensStep::begin() {
 void TrackerLensStep::poll() {
   const auto view = trackers_.cameraView();
   if (!view || view->preview.pixels.empty()) {
-    picture_->setEmptySentence(words(trackers_.deviceStatus().sentence));
-    return picture_->setPicture({}, {});
+    image_->setEmptySentence(words(trackers_.deviceStatus().sentence));
+    return image_->setImage({}, {});
   }
-  if (isDone() || isSolving_) showCameraView(*picture_, *view);
+  if (isDone() || isSolving_) showCameraView(*image_, *view);
   if (!isDone() && !isSolving_ && !isLooking_) look();
 }
 
-/// Looks at the latest picture on a thread of its own: finding a chess board takes longer than a window may rest.
+/// Looks at the latest image on a thread of its own: finding a chess board takes longer than a window may rest.
 void TrackerLensStep::look() {
   CameraDevice* camera = trackers_.camera();
   if (camera == nullptr) return;
   isLooking_ = true;
   worker_.add([this, camera = trackers_.sharedCamera(), board = trackers_.papers().charucoBoard(), gathering = gathering_]() mutable {
-    const GreyImage picture = camera->picture();
+    const GreyImage image = camera->image();
     const std::uint64_t number = camera->view().number;
-    if (!gathering && !picture.pixels.empty()) {
-      if (auto made = CalibrationCollector::make(board, picture.width, picture.height))
-        gathering = std::shared_ptr<Gathering>(new Gathering{std::move(*made), board, picture.width, picture.height, 0});
+    if (!gathering && !image.pixels.empty()) {
+      if (auto made = CalibrationCollector::make(board, image.width, image.height))
+        gathering = std::shared_ptr<Gathering>(new Gathering{std::move(*made), board, image.width, image.height, 0});
     }
     CalibrationCollector::Look look;
     CalibrationCoverage coverage;
-    const bool isNew =
-        gathering && number != gathering->lastPicture && picture.width == gathering->width && picture.height == gathering->height;
-    if (isNew) look = gathering->collector.look(viewOf(picture), steadyNow_s());
-    if (isNew) gathering->lastPicture = number;
+    const bool isNew = gathering && number != gathering->lastImage && image.width == gathering->width && image.height == gathering->height;
+    if (isNew) look = gathering->collector.look(viewOf(image), steadyNow_s());
+    if (isNew) gathering->lastImage = number;
     if (gathering) coverage = gathering->collector.coverage();
     QMetaObject::invokeMethod(
         this,
-        [this, gathering, look, coverage, picture, isNew] {
+        [this, gathering, look, coverage, image, isNew] {
           isLooking_ = false;
           if (!gathering || isDone()) return;
           if (gathering_ && gathering_ != gathering) return;  // begun again meanwhile
           gathering_ = gathering;
           if (!isNew) return;
-          const QImage grey(picture.pixels.data(), picture.width, picture.height, picture.width, QImage::Format_Grayscale8);
-          std::vector<TrackerCameraPicture::Outline> corners;
+          const QImage grey(image.pixels.data(), image.width, image.height, image.width, QImage::Format_Grayscale8);
+          std::vector<TrackerCameraView::Outline> corners;
           for (const glm::dvec2& at : look.view.corners_px)
             corners.push_back({QPolygonF(QRectF(at.x - 5.0, at.y - 5.0, 10.0, 10.0)), scanTheme().accent, {}});
-          picture_->setPicture(grey.copy(), std::move(corners));
+          image_->setImage(grey.copy(), std::move(corners));
           take(look, coverage);
         },
         Qt::QueuedConnection);
@@ -132,7 +131,7 @@ void TrackerLensStep::take(const CalibrationCollector::Look& look, const Calibra
   coverage_ = coverage;
   switch (look.verdict) {
     case ViewVerdict::noBoard:
-      say(*verdict_, tr("The chess board is not seen. Hold it so that at least half of it is in the picture."));
+      say(*verdict_, tr("The chess board is not seen. Hold it so that at least half of it is in the image."));
       break;
     case ViewVerdict::blurred:
       say(*verdict_, tr("Blurred: hold it still, or give it more light."), Tone::bad);
@@ -156,7 +155,7 @@ void TrackerLensStep::take(const CalibrationCollector::Look& look, const Calibra
 void TrackerLensStep::solve() {
   if (isSolving_ || !gathering_ || coverage_.views == 0) return;
   isSolving_ = true;
-  say(*verdict_, tr("Measuring the lens from %n pictures…", nullptr, coverage_.views));
+  say(*verdict_, tr("Measuring the lens from %n images…", nullptr, coverage_.views));
   showAll();
   trackers_.solveLens(tracker_, gathering_->collector.views(), gathering_->board, gathering_->width, gathering_->height,
                       [guard = QPointer<TrackerLensStep>(this)](const Result<CameraCalibration>& found) {
@@ -185,21 +184,21 @@ void TrackerLensStep::showAll() {
   if (done) {
     const CameraModel& model = *trackers_.cameraOf(tracker_)->model;
     say(*next_,
-        tr("The lens is measured: its pictures agree within %1 pixels, found from %n pictures.", nullptr, model.views)
+        tr("The lens is measured: its images agree within %1 pixels, found from %n images.", nullptr, model.views)
             .arg(figure(model.rms_px, 2)),
         Tone::good);
-    return picture_->setCoverage({});
+    return image_->setCoverage({});
   }
   say(*next_, coverage_.views == 0 ? tr("Show the chess board to the camera.")
-                                   : tr("Pictures kept: %1. %2").arg(coverage_.views).arg(words(coverage_.next)));
-  TrackerCameraPicture::Coverage shown;
+                                   : tr("Images kept: %1. %2").arg(coverage_.views).arg(words(coverage_.next)));
+  TrackerCameraView::Coverage shown;
   shown.columns = CalibrationCoverage::kColumns;
   shown.rows = CalibrationCoverage::kRows;
-  constexpr double kFull = 24.0;  // corners of a part of the picture that need no more
+  constexpr double kFull = 24.0;  // corners of a part of the image that need no more
   for (const int corners : coverage_.corners) shown.shares.push_back(std::min(1.0, corners / kFull));
   const auto least = std::min_element(coverage_.corners.begin(), coverage_.corners.end());
   if (*least < kFull / 2.0) shown.next = static_cast<int>(least - coverage_.corners.begin());
-  picture_->setCoverage(std::move(shown));
+  image_->setCoverage(std::move(shown));
 }
 
 }  // namespace ew::ui

@@ -8,7 +8,7 @@
 #include "ew/library/access.h"
 #include "ew/library/attempt.h"
 #include "ew/library/folders.h"
-#include "ew/library/learning.h"
+#include "ew/library/learning_progress.h"
 #include "ew/sdk/person.h"
 #include "ew/widgets/words.h"
 #include "window/features/case_saving.h"
@@ -28,7 +28,7 @@ std::optional<Attempt> attemptAround(const std::filesystem::path& path) {
   const auto root = std::filesystem::weakly_canonical(attemptsFolder(libraryFolder()), failed);
   for (auto at = std::filesystem::weakly_canonical(path, failed); !failed && at.has_relative_path(); at = at.parent_path())
     if (at.parent_path() == root) {
-      const auto kept = KeptAttempt::open(at);
+      const auto kept = AttemptFolder::open(at);
       return kept ? kept->attempt() : Attempt();  // one that cannot be read is nobody's that is known
     }
   return std::nullopt;

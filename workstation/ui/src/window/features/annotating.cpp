@@ -96,7 +96,7 @@ void Annotating::addBodyMarkMenu(QMenu& mark) {
 
 void Annotating::connectParts() {
   WindowParts& p = parts_;
-  connect(&p.annotated, &AnnotatedPictures::changed, this, [this] {
+  connect(&p.annotated, &ImageAnnotations::changed, this, [this] {
     arrow_->setChecked(parts_.annotated.isArrowAtHand());
     if (parts_.annotated.isArrowAtHand()) putCalipersDown();  // one tool in the hand
     parts_.undo->refresh();
@@ -105,16 +105,16 @@ void Annotating::connectParts() {
     if (parts_.calipers.drawing().tool()) parts_.annotated.putDown();
     parts_.bodyMarkView->raise();  // the calipers came to lie over it
     const measurement::Measurements& now = parts_.calipers.drawing().shown();
-    const bool isOther = std::exchange(measuredImage_, parts_.calipers.picture()) != parts_.calipers.picture();
+    const bool isOther = std::exchange(measuredImage_, parts_.calipers.image()) != parts_.calipers.image();
     if (now == measured_) return;
     measured_ = now;
     if (!isOther) parts_.annotated.setMeasuredLast();
     parts_.undo->refresh();
   });
   connect(p.annotationLayer, &AnnotationLayer::writingBegan, this, &Annotating::putCalipersDown);
-  connect(&p.annotated, &AnnotatedPictures::said, p.scanView, &ScanView::say);
-  connect(&p.annotated, &AnnotatedPictures::pauseAsked, &p.calipers, &Calipers::pauseAsked);
-  connect(&p.bodyMark, &ShownMark::changed, this, [this] { bodyMark_->setChecked(parts_.bodyMark.choice().isShown); });
+  connect(&p.annotated, &ImageAnnotations::said, p.scanView, &ScanView::say);
+  connect(&p.annotated, &ImageAnnotations::pauseAsked, &p.calipers, &Calipers::pauseAsked);
+  connect(&p.bodyMark, &ImageBodyMark::changed, this, [this] { bodyMark_->setChecked(parts_.bodyMark.choice().isShown); });
 }
 
 void Annotating::putCalipersDown() {

@@ -48,7 +48,7 @@ void BodyAndProbe::connectParts() {
   connect(&p.host->hostOverlays(), &HostOverlays::bodyChanged, this, &BodyAndProbe::paintOver);
   connect(p.bodyTools, &BodyTools::overChanged, this, &BodyAndProbe::paintOver);
   connectKeys();
-  connect(&p.session, &Session::pictureChanged, this, &BodyAndProbe::showImage);
+  connect(&p.session, &Session::imageChanged, this, &BodyAndProbe::showImage);
   connect(&p.session, &Session::subjectChanged, this, [this] {
     if (const auto& subject = parts_.session.subject()) {
       parts_.view3d->setVolumeBox(subject->placedGrid);
@@ -87,11 +87,11 @@ bool BodyAndProbe::doKey(QKeyEvent& event) {
 
 void BodyAndProbe::showImage() {
   WindowParts& p = parts_;
-  if (!p.session.subject() || p.session.picture().isEmpty()) return;
-  const Knobs& knobs = p.session.wide() != nullptr ? p.session.shownState().knobs : p.session.pictureKnobs();
-  p.view3d->setProbe(p.session.pictureProbe(), p.session.fanGeometry().depth_mm, knobs);
-  p.view3d->setPose(p.session.picturePose());
-  p.view3d->setFanImage(p.session.fanPicture(), p.session.fanGeometry());
+  if (!p.session.subject() || p.session.image().isEmpty()) return;
+  const Knobs& knobs = p.session.wide() != nullptr ? p.session.shownState().knobs : p.session.imageKnobs();
+  p.view3d->setProbe(p.session.imageProbe(), p.session.fanGeometry().depth_mm, knobs);
+  p.view3d->setPose(p.session.imagePose());
+  p.view3d->setFanImage(p.session.fanImage(), p.session.fanGeometry());
   p.view3d->setProbeVisible(true);
 }
 

@@ -27,7 +27,7 @@
 namespace ew::ui {
 namespace {
 
-constexpr int kDetailsAfter_ms = 40;  // of rest: whoever scrolls through a thousand cards does not wait for their pictures
+constexpr int kDetailsAfter_ms = 40;  // of rest: whoever scrolls through a thousand cards does not wait for their images
 const auto kWithdrawing = QStringLiteral("withdraw");
 
 /// Whether a file goes with a case that is taken out of the library: it lies in its folder, or with another revision of a published one.
@@ -83,7 +83,7 @@ void CaseLibrary::connectParts() {
   connect(&p.learning, &Learning::changed, this, [this] { parts_.startPage->showLearning(parts_.learning.shared()); });
   connect(&p.learning, &Learning::failed, this, [this](const Error& error) { parts_.messages->showError(error); });
   connect(p.startPage, &StartPage::withdrawRequested, this, &CaseLibrary::withdraw);
-  connect(&p.details, &CaseDetails::pictureRead, p.startPage, &StartPage::setThumbnail);
+  connect(&p.details, &CaseDetails::imageRead, p.startPage, &StartPage::setThumbnail);
   connect(&p.details, &CaseDetails::caseRead, p.preparing, &Preparing::show);
 }
 
@@ -127,7 +127,7 @@ void CaseLibrary::chooseBundle() {
 
 void CaseLibrary::importCase(const QString& bundle) {
   if (!parts_.session.subject()) parts_.workspaces->showStartPage();
-  auto taken = std::make_shared<PublishedCase>();
+  auto taken = std::make_shared<CaseRevision>();
   const QString name = QFileInfo(bundle).fileName();
   parts_.jobs.start(
       tr("Importing %1").arg(name),

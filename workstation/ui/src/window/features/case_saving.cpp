@@ -135,7 +135,7 @@ void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
   WindowParts& p = parts_;
   if (asksAboutKept_) return;  // a case that came while somebody thinks about its edits
   const QScopedValueRollback<bool> asks(asksAboutKept_, true);
-  for (const KeptEdits::Left& left : keptEdits_.left()) {
+  for (const EditAutosave::Left& left : keptEdits_.left()) {
     const bool isLater = std::find(decideLater_.begin(), decideLater_.end(), left.kept) != decideLater_.end();
     if (isLater || restoring_ || (!caseFolder.empty() && left.caseFolder != caseFolder)) continue;
     QMessageBox question(&p.window);
@@ -153,7 +153,7 @@ void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
     question.setEscapeButton(later);
     question.exec();
     if (question.clickedButton() == discard) {
-      KeptEdits::remove(left);
+      EditAutosave::remove(left);
     } else if (question.clickedButton() == open) {
       const auto& current = p.document.current();
       const bool isOpen = current && current->folder == left.caseFolder;
@@ -195,7 +195,7 @@ void CaseSaving::restoreKeptEdits() {
     return;
   }
   keepEdits();  // here, before they are gone there
-  KeptEdits::remove(*left);
+  EditAutosave::remove(*left);
 }
 
 void CaseSaving::save(bool elsewhere) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ew/core/result.h"
-#include "ew/library/kept_edits.h"
+#include "ew/library/edit_autosave.h"
 #include "window/frame/feature.h"
 
 class QAction;
@@ -48,10 +48,10 @@ class CaseSaving final : public Feature {
   void keepEdits();  ///< of the open case as it is now, or forgets them when there are none
   void restoreKeptEdits();
 
-  KeptEdits keptEdits_;  ///< of the open case, against a crash
+  EditAutosave keptEdits_;  ///< of the open case, against a crash
   QTimer keepSoon_;
   std::vector<std::filesystem::path> decideLater_;  ///< kept edits that the user wants to decide about another time
-  std::optional<KeptEdits::Left> restoring_;        ///< edits that are taken over once their case is open
+  std::optional<EditAutosave::Left> restoring_;     ///< edits that are taken over once their case is open
   bool asksAboutKept_ = false;                      ///< the question about kept edits is open: none is asked in the middle of it
   bool dropsEdits_ = false;                         ///< the case is being opened again, and the user gave up the changes made here
   QAction* save_ = nullptr;

@@ -11,7 +11,7 @@
 #include "ew/core/ending.h"
 #include "ew/export/dicom_study.h"
 #include "ew/export/examination_files.h"
-#include "ew/scanning/picture_file.h"
+#include "ew/scanning/display_image_file.h"
 #include "ew/scanning/recording.h"
 #include "ew/scanning/replay.h"
 #include "ew/widgets/save_file.h"
@@ -36,17 +36,17 @@ Result<void> writeClipFile(const ScanRecording& clip, ScanSubject subject, const
   std::vector<std::size_t> frames;
   if (hasEnding(file, ".dcm")) {
     for (std::size_t n = 0; n < clip.log.frameCount(); ++n) frames.push_back(n);
-    const auto make = [&](std::size_t n) -> Result<std::pair<Picture, DisplayGeometry>> {
+    const auto make = [&](std::size_t n) -> Result<std::pair<DisplayImage, DisplayGeometry>> {
       if (progress.cancelRequested()) return stopped();
-      const Picture picture = replay.make(frames[n], clip.size_px.x, clip.size_px.y);
-      return std::pair(picture, replay.scanner().geometry());
+      const DisplayImage image = replay.make(frames[n], clip.size_px.x, clip.size_px.y);
+      return std::pair(image, replay.scanner().geometry());
     };
     auto written = writeDicomScan(clip.log, frames, make, study, file, progress);
     return written ? Result<void>() : passOn(written.error());
   }
   const double begin_s = clip.log.frameTime_s(0), length_s = clip.log.frameTime_s(clip.log.frameCount() - 1) - begin_s;
   for (int n = 0; n <= static_cast<int>(length_s * kClipRate_hz); ++n) frames.push_back(clip.log.frameAt(begin_s + n / kClipRate_hz));
-  auto film = PictureClip::open(file, clip.size_px.x, clip.size_px.y, kClipRate_hz);
+  auto film = ImageClip::open(file, clip.size_px.x, clip.size_px.y, kClipRate_hz);
   if (!film) return passOn(film.error());
   for (std::size_t n = 0; n < frames.size(); ++n) {
     // What is not shown is formed all the same: it shows in what follows.

@@ -9,7 +9,7 @@ class QMenu;
 
 namespace ew::ui {
 
-struct SavedPart;
+struct SnapshotPart;
 
 /// One, two and four images at once, and how they are saved.
 class Images final : public Feature {
@@ -23,7 +23,7 @@ class Images final : public Feature {
   void connectParts() override;
   void refresh() override;
 
-  [[nodiscard]] std::vector<SavedPart> shownParts() const;  ///< all images, as they are saved
+  [[nodiscard]] std::vector<SnapshotPart> shownParts() const;  ///< all images, as they are saved
   [[nodiscard]] int columns() const;
 
  private:

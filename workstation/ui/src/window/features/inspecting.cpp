@@ -64,7 +64,7 @@ void Inspecting::showCost() {
 void Inspecting::showSource(const QPoint& pixel) {
   WindowParts& p = parts_;
   const auto& subject = p.session.subject();
-  if (!subject || p.session.picture().isEmpty()) return;
+  if (!subject || p.session.image().isEmpty()) return;
   SourceDialog* dialog = dialog_.data();
   if (dialog == nullptr) {
     dialog = new SourceDialog(p.jobs, &p.window);
@@ -88,7 +88,7 @@ void Inspecting::showSource(const QPoint& pixel) {
   const bool isInFan = pixel.y() >= 0 && row < fan.size() && std::any_of(fan[row].begin(), fan[row].end(), [&](const RowSpan& run) {
                          return run.begin <= pixel.x() && pixel.x() < run.end;
                        });
-  if (p.session.pictureKnobs().mode == DisplayMode::mMode) {
+  if (p.session.imageKnobs().mode == DisplayMode::mMode) {
     dialog->showNone(
         tr("The strip of the M-mode shows one beam over time, no place in an image. Switch to B or B + M, then click a point of the "
            "image."));
@@ -96,7 +96,7 @@ void Inspecting::showSource(const QPoint& pixel) {
     dialog->showNone(tr("This point lies outside the image. Click a point inside the fan."));
   } else if (subject->provenance) {
     const Point<frame::World> at_world =
-        pointShownAt(p.session.geometry(), p.session.picturePose(), {static_cast<double>(pixel.x()), static_cast<double>(pixel.y())});
+        pointShownAt(p.session.geometry(), p.session.imagePose(), {static_cast<double>(pixel.x()), static_cast<double>(pixel.y())});
     dialog->showSource(subject->provenance, voxelSourceAt(*subject->provenance, *subject->voxels.volume(), subject->placedGrid, at_world));
   } else {
     dialog->showNone(

@@ -101,8 +101,8 @@ void addScan(Page& page) {
   page.add("breathing.in | breathing.out", KeysPage::tr("breathe in and hold, breathe out and hold"));
   page.add("flip.sides | flip.upsideDown", KeysPage::tr("invert left/right, up/down"));
   page.add("mode.next", KeysPage::tr("B, B + M, M"));
-  page.add("pictures.count", KeysPage::tr("one, two, four pictures"));
-  page.add("pictures.next", KeysPage::tr("take another picture in hand, the next one"), KeysPage::tr("Click, %1"));
+  page.add("pictures.count", KeysPage::tr("one, two, four images"));
+  page.add("pictures.next", KeysPage::tr("take another image in hand, the next one"), KeysPage::tr("Click, %1"));
   page.add("mode.lineLeft | mode.lineRight", KeysPage::tr("M line"));
   page.add("mode.slower | mode.faster", KeysPage::tr("sweep of the M-mode"));
   page.end();
@@ -134,7 +134,7 @@ void addHandles(Page& page, bool isAuthor) {
   page.add(about, KeysPage::tr("turn what has handles by 1° anticlockwise, clockwise"));
 }
 
-void addPictures(Page& page, bool isAuthor) {
+void addImages(Page& page, bool isAuthor) {
   page.begin(KeyGroup::measure);
   using measurement::CaliperKind;
   const auto tools = [](std::initializer_list<CaliperKind> kinds) {
@@ -239,10 +239,10 @@ std::vector<ShortcutsOverlay::Group> keysPage(const WindowParts& parts) {
   Page page(parts.keys);
   if (!front.isStaged()) {
     addScan(page);
-    addPictures(page, front.isAuthor());
+    addImages(page, front.isAuthor());
     addConsole(page);
   }
-  for (const sdk::StagedPanel* panel : parts.host->panelsAdded()) {
+  for (const sdk::StagePanel* panel : parts.host->panelsAdded()) {
     if (panel->keys.empty() || panel->workspace != front.current() || (front.isAuthor() && !front.isStaged())) continue;
     Group group{words(panel->title), {}};
     for (const auto& [key, what] : panel->keys) group.lines.push_back({words(key), capitalised(words(what))});

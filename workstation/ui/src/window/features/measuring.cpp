@@ -176,7 +176,7 @@ bool Measuring::saveWorksheet() {
   if (file.isEmpty()) return false;
   const measurement::Examination asWritten = *examination;
   std::vector<WorksheetImage> images;
-  for (const StoredExamination::Item& item : p.stored.items()) images.push_back({withWarning(item.picture), item.caption});
+  for (const ExaminationStore::Item& item : p.stored.items()) images.push_back({withWarning(item.image), item.caption});
   const auto written = saveTogether({pathOf(file)}, [&](const OutputSet& outputs) {
     const QDateTime now = QDateTime::currentDateTime();
     if (!hasEnding(pathOf(file), ".dcm"))

@@ -72,7 +72,7 @@ void Opening::connectParts() {
   connect(&p.jobs, &Jobs::problem, this, [this](const Error& error) { parts_.messages->showError(error); });
   p.opener->askBeforeReplacing([this](const QString& next) { return mayReplaceShown(next); },
                                [this](const QString& next) { return mayReplaceScan(next); });
-  new ShownSources(p.window, [this] {
+  new DisplaySources(p.window, [this] {
     std::vector<std::filesystem::path> all = parts_.opener->sources();
     for (const UnsavedVolume& made : parts_.volumes->all()) all.push_back(pathOf(made.path));
     if (!parts_.recording->file().empty()) all.push_back(parts_.recording->file());

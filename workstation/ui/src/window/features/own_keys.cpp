@@ -79,9 +79,9 @@ void OwnKeys::connectParts() {
     parts_.console->showKeys(parts_.keyTips);
     parts_.undo->refresh();
   });
-  // One key for two things, as on a machine: which of them, a picture that runs or stands decides.
+  // One key for two things, as on a machine: which of them, an image that runs or stands decides.
   connect(&p.session, &Session::frozenChanged, this, [this] { parts_.commands->showKeys(); });
-  connect(&p.session, &Session::pictureChanged, this, [this, stood = false]() mutable {
+  connect(&p.session, &Session::imageChanged, this, [this, stood = false]() mutable {
     const bool stands = parts_.session.isFrozen() || parts_.session.isPlaying();
     if (stands != std::exchange(stood, stands)) parts_.commands->showKeys();
   });
@@ -168,7 +168,7 @@ void OwnKeys::edit() {
   WindowParts& p = parts_;
   if (dialog_ == nullptr) {
     std::vector<KeysDialog::PanelKey> ofPanels;
-    for (const sdk::StagedPanel* panel : p.host->panelsAdded())
+    for (const sdk::StagePanel* panel : p.host->panelsAdded())
       for (const auto& [key, what] : panel->keys) ofPanels.push_back({words(panel->title), words(key), words(what)});
     dialog_ = new KeysDialog(p.keys, p.surface, std::move(ofPanels), &p.window);
     dialog_->setAttribute(Qt::WA_DeleteOnClose);

@@ -16,7 +16,7 @@
 #include "ew/widgets/words.h"
 #include "window/features/opening.h"
 #include "window/frame/commands.h"
-#include "window/frame/guarded_application.h"
+#include "window/frame/safe_application.h"
 #include "window/frame/window_parts.h"
 #include "window/frame/workspaces.h"
 
@@ -43,8 +43,8 @@ void PluginHosting::setToolsMenu(QMenu& tools) {
 
 void PluginHosting::connectParts() {
   WindowParts& p = parts_;
-  if (const auto* application = qobject_cast<GuardedApplication*>(QCoreApplication::instance()))
-    connect(application, &GuardedApplication::thrown, this, &PluginHosting::showThrown);
+  if (const auto* application = qobject_cast<SafeApplication*>(QCoreApplication::instance()))
+    connect(application, &SafeApplication::thrown, this, &PluginHosting::showThrown);
   connect(p.workspaces, &Workspaces::shown, this, &PluginHosting::refresh);
   p.host->setScan([&p]() -> std::optional<sdk::Cases::Scan> {
     const Session& session = p.session;
@@ -73,7 +73,7 @@ void PluginHosting::holdUnsavedWork(UnsavedWork& list) {
             {Loss::closing},
             [this] {
               const auto panels = parts_.host->panelsAdded();
-              return std::any_of(panels.begin(), panels.end(), [](const sdk::StagedPanel* each) {
+              return std::any_of(panels.begin(), panels.end(), [](const sdk::StagePanel* each) {
                 const auto document = each->document.lock();
                 return document && !document->unsaved().empty();
               });
@@ -158,7 +158,7 @@ void PluginHosting::showThrown(const QObject* receiver, const Thrown& thrown) {
 }
 
 bool PluginHosting::mayLeavePanels() {
-  for (const sdk::StagedPanel* panel : parts_.host->panelsAdded()) {
+  for (const sdk::StagePanel* panel : parts_.host->panelsAdded()) {
     const auto document = panel->document.lock();
     const QString unsaved = document ? words(document->unsaved()) : QString();
     if (unsaved.isEmpty()) continue;

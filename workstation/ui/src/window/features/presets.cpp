@@ -126,7 +126,7 @@ void Presets::saveOwn() {
   const QString title =
       QInputDialog::getText(&p.window, tr("Save as preset"), tr("Name of the examination:"), QLineEdit::Normal, QString(), &isWanted);
   if (!isWanted) return;
-  Preset preset = presetOf(title.trimmed().toStdString(), p.session.pictureProbe(), p.session.pictureKnobs());
+  Preset preset = presetOf(title.trimmed().toStdString(), p.session.imageProbe(), p.session.imageKnobs());
   if (const annotation::WordList* list = p.annotated.wordList()) preset.annotations = list->id;
   preset.bodyMark = p.bodyMark.choice().mark;
   const auto saved = saveOwnPreset(preset, ownPresetsFolder());

@@ -182,7 +182,7 @@ void Recording::showAgain(const std::shared_ptr<const ScanRecording>& recording,
   p.replayBar->load(recording);
   p.replayBar->setSaved(!isUnsaved());
   p.pages->setCurrentWidget(p.workspacePage);
-  p.session.makePictureNow();
+  p.session.makeImageNow();
   if (!isSaved) p.autosave.takeRecording(recording);
   showState();
 }

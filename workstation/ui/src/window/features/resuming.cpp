@@ -20,7 +20,7 @@
 #include "ew/io/volume_file.h"
 #include "ew/scanning/recording.h"
 #include "ew/widgets/words.h"
-#include "scan/still_picture.h"
+#include "scan/still_image.h"
 #include "window/features/opening.h"
 #include "window/features/recording.h"
 #include "window/features/unsaved_volumes.h"
@@ -53,11 +53,11 @@ QString notOpened(const QString& what) {
   return Resuming::tr("'%1' was not opened, so what was not saved of it is kept and offered at the next start.").arg(what);
 }
 
-QString titleOf(const LeftWork& work) { return work.title.isEmpty() ? wordsOf(work.left->folder()) : work.title; }
+QString titleOf(const RecoverableWork& work) { return work.title.isEmpty() ? wordsOf(work.left->folder()) : work.title; }
 
 /// As all that is said of kept work it concerns what lies in the program's own folder: it has no topic, and stays whatever is opened
 /// meanwhile.
-QString unreadIn(const LeftWork& work) {
+QString unreadIn(const RecoverableWork& work) {
   QStringList sentences(keptForLater(wordsOf(work.left->folder())));
   for (const Message& why : work.unread) sentences << words(why);
   return sentences.join(QLatin1Char(' '));
@@ -65,7 +65,7 @@ QString unreadIn(const LeftWork& work) {
 
 enum class Decision { goOn, discard, later };
 
-Decision askAboutLeftWork(QWidget* parent, const LeftWork& work) {
+Decision askAboutLeftWork(QWidget* parent, const RecoverableWork& work) {
   QMessageBox question(parent);
   question.setObjectName(QStringLiteral("unsavedWorkQuestion"));
   question.setIcon(QMessageBox::NoIcon);
@@ -96,7 +96,7 @@ void Resuming::connectParts() {
 }
 
 void Resuming::offer() {
-  auto left = std::make_shared<std::vector<LeftWork>>();
+  auto left = std::make_shared<std::vector<RecoverableWork>>();
   parts_.jobs.start(
       tr("Looking for unsaved work"),
       [left, root = parts_.autosave.keeper().root()](Progress&) -> Result<void> {
@@ -109,9 +109,9 @@ void Resuming::offer() {
       Jobs::Kind::background);
 }
 
-void Resuming::ask(std::vector<LeftWork> left) {
+void Resuming::ask(std::vector<RecoverableWork> left) {
   WindowParts& p = parts_;
-  for (LeftWork& work : left) {
+  for (RecoverableWork& work : left) {
     if (work.kind == kExpertScanWork && p.access.isLocked()) continue;  // it is an author's, and waits
     if (work.isEmpty()) {
       if (!work.unread.empty()) {
@@ -133,11 +133,11 @@ void Resuming::ask(std::vector<LeftWork> left) {
     }
   }
   // A lesson last: whatever is opened after it would lead out of it.
-  std::stable_partition(left_.begin(), left_.end(), [](const LeftWork& work) { return !work.step; });
+  std::stable_partition(left_.begin(), left_.end(), [](const RecoverableWork& work) { return !work.step; });
   next();
 }
 
-bool Resuming::isOpenFor(const LeftWork& work) const {
+bool Resuming::isOpenFor(const RecoverableWork& work) const {
   const auto& current = parts_.document.current();
   const auto& subject = parts_.session.subject();
   if (work.scanned && subject && subject->voxels.volume() == work.scanned) return true;
@@ -149,9 +149,9 @@ void Resuming::next() {
   WindowParts& p = parts_;
   if (isResuming_) return;
   // What waits until its own volume is shown is gone on with then.
-  std::stable_partition(left_.begin(), left_.end(), [](const LeftWork& work) { return !work.scanned; });
+  std::stable_partition(left_.begin(), left_.end(), [](const RecoverableWork& work) { return !work.scanned; });
   if (left_.empty() || left_.front().scanned) return;
-  const LeftWork& first = left_.front();
+  const RecoverableWork& first = left_.front();
   if (first.step || first.path.isEmpty() || isOpenFor(first)) {
     // What is still being opened would take the place of what is shown here.
     if (p.opener->isBusy() && !first.step) return QTimer::singleShot(kLookAgain_ms, this, &Resuming::next);
@@ -164,9 +164,10 @@ void Resuming::next() {
 
 void Resuming::opened() {
   if (isResuming_ && !left_.empty() && isOpenFor(left_.front())) return resume();
-  const auto waiting = std::find_if(left_.begin(), left_.end(), [this](const LeftWork& work) { return work.scanned && isOpenFor(work); });
+  const auto waiting =
+      std::find_if(left_.begin(), left_.end(), [this](const RecoverableWork& work) { return work.scanned && isOpenFor(work); });
   if (waiting == left_.end()) return;
-  const LeftWork work = std::move(*waiting);
+  const RecoverableWork work = std::move(*waiting);
   left_.erase(waiting);
   showMeasured(work);
 }
@@ -196,7 +197,7 @@ void Resuming::leaveForLater() {
   QTimer::singleShot(0, this, &Resuming::next);
 }
 
-void Resuming::leaveUnshown(const LeftWork& work) {
+void Resuming::leaveUnshown(const RecoverableWork& work) {
   WindowParts& p = parts_;
   const std::vector<UnsavedVolume>& all = p.volumes->all();
   const auto made =
@@ -227,7 +228,7 @@ void Resuming::leaveUnshown(const LeftWork& work) {
 void Resuming::resume() {
   isResuming_ = false;
   if (left_.empty()) return;
-  const LeftWork work = std::move(left_.front());
+  const RecoverableWork work = std::move(left_.front());
   left_.erase(left_.begin());
   if (!work.step && !work.volumes.empty()) return takeVolumes(work);
   if (!left_.empty()) QTimer::singleShot(0, this, &Resuming::next);
@@ -238,16 +239,16 @@ void Resuming::resume() {
   showMeasured(work);
 }
 
-void Resuming::takeVolumes(const LeftWork& left) {
+void Resuming::takeVolumes(const RecoverableWork& left) {
   struct Made {
-    LeftWork::MadeVolume of;
+    RecoverableWork::VolumeDraft of;
     ScanVoxels voxels;
   };
   auto made = std::make_shared<std::vector<Made>>();
   parts_.jobs.start(
       tr("Reading what was not saved"),
       [made, volumes = left.volumes](Progress& progress) -> Result<void> {
-        for (const LeftWork::MadeVolume& each : volumes) {
+        for (const RecoverableWork::VolumeDraft& each : volumes) {
           if (each.file.empty()) continue;
           auto volume = readMade(each.file, progress);
           if (!volume) return passOn(volume.error());
@@ -268,14 +269,14 @@ void Resuming::takeVolumes(const LeftWork& left) {
           if (each.of.isShown) shown = volumes.size();
           volumes.push_back({each.of.path, each.of.title, each.voxels, nullptr});
         }
-        LeftWork work = left;
+        RecoverableWork work = left;
         if (auto scanned = parts_.volumes->takeLeft(volumes, shown ? &volumes[*shown] : nullptr)) work.scanned = std::move(scanned);
         showMeasured(work);
         next();  // not before: somebody was asked
       });
 }
 
-void Resuming::showMeasured(const LeftWork& work) {
+void Resuming::showMeasured(const RecoverableWork& work) {
   WindowParts& p = parts_;
   if (work.isOfPatient() && !isOpenFor(work)) return leaveUnshown(work);
   if (work.isOfPatient() &&
@@ -283,7 +284,7 @@ void Resuming::showMeasured(const LeftWork& work) {
     return p.messages->showError(tr("What was recorded or measured here is not saved yet, so what was not saved of '%1' before is kept and "
                                     "offered at the next start.")
                                      .arg(titleOf(work)));
-  std::vector<StillPicture> frames;
+  std::vector<StillImage> frames;
   auto shown = work.recording;
   if (!work.measured.images.empty() && !shown) {
     ScanRecording images = statesOf(work.measured);

@@ -28,19 +28,19 @@ class Resuming final : public Feature {
   void waitFor(const QDialog& dialog, const QString& path);
 
  private:
-  void ask(std::vector<LeftWork> left);
+  void ask(std::vector<RecoverableWork> left);
   void next();  ///< opens what the first of them belongs to
   /// Whether what it was recorded and measured on is scanned now.
-  [[nodiscard]] bool isOpenFor(const LeftWork& work) const;
+  [[nodiscard]] bool isOpenFor(const RecoverableWork& work) const;
   void resume();         ///< the first of them, as it is open
   void leaveForLater();  ///< it was not opened: the next start offers it again
   /// What it is of is not scanned: it stays where it is, and says how it comes back.
-  void leaveUnshown(const LeftWork& work);
-  void showMeasured(const LeftWork& work);
-  void takeVolumes(const LeftWork& work);
+  void leaveUnshown(const RecoverableWork& work);
+  void showMeasured(const RecoverableWork& work);
+  void takeVolumes(const RecoverableWork& work);
 
-  std::vector<LeftWork> left_;  ///< gone on with one after the other, the first first
-  bool isResuming_ = false;     ///< what the first one belongs to is being opened
+  std::vector<RecoverableWork> left_;  ///< gone on with one after the other, the first first
+  bool isResuming_ = false;            ///< what the first one belongs to is being opened
 };
 
 }  // namespace ew::ui

@@ -23,7 +23,7 @@
 #include "ew/widgets/question.h"
 #include "ew/widgets/words.h"
 #include "images/examination_dialog.h"
-#include "images/saved_picture.h"
+#include "images/saved_image.h"
 #include "window/features/images.h"
 #include "window/features/recording.h"
 #include "window/frame/commands.h"
@@ -93,8 +93,8 @@ std::vector<measurement::Examination> filledNow(const Worksheets& worksheets) {
   return all;
 }
 
-/// Pictures and worksheets as they were when the job began are safe now; what came since is not.
-void setSaved(StoredExamination& stored, Worksheets& worksheets, std::uint64_t revision,
+/// Images and worksheets as they were when the job began are safe now; what came since is not.
+void setSaved(ExaminationStore& stored, Worksheets& worksheets, std::uint64_t revision,
               const std::vector<measurement::Examination>& sheets) {
   stored.setSaved(revision);
   std::vector<const measurement::Examination*> written;
@@ -120,7 +120,7 @@ void Storing::connectParts() {
       parts_.autosave.setOpen(wordsOf(current->folder));
     followPatient();
   });
-  connect(&p.stored, &StoredExamination::notKept, this,
+  connect(&p.stored, &ExaminationStore::notKept, this,
           [this](const Error& error) { parts_.messages->showError(error, kKeepingWorkTopic); });
 }
 

@@ -128,13 +128,13 @@ const UnsavedVolume* UnsavedVolumes::shown() const {
   return found == all_.end() ? nullptr : &*found;
 }
 
-std::optional<sdk::ShownVolume> UnsavedVolumes::shownForPlugins() const {
+std::optional<sdk::DisplayVolume> UnsavedVolumes::shownForPlugins() const {
   const auto& subject = parts_.session.subject();
   if (!subject || parts_.opener->showsCase() || !subject->voxels.volume()) return std::nullopt;
-  sdk::ShownVolume shown{subject->voxels.volume(), subject->title, {}};
+  sdk::DisplayVolume shown{subject->voxels.volume(), subject->title, {}};
   if (!subject->provenance) return shown;
-  std::vector<PosedFrame> frames;
-  for (const TracedFrame& each : subject->provenance->frames) frames.push_back({{}, each.imageToWorld, {}});
+  std::vector<TrackedFrame> frames;
+  for (const FrameProvenance& each : subject->provenance->frames) frames.push_back({{}, each.imageToWorld, {}});
   if (const auto axes = sweepAxesOf(frames)) shown.depthAndLateral = {axes->depth, axes->lateral};
   return shown;
 }
@@ -196,7 +196,7 @@ void UnsavedVolumes::showWaiting() {
 }
 
 void UnsavedVolumes::keep() {
-  std::vector<WorkAutosave::MadeHere> made;
+  std::vector<WorkAutosave::SessionVolume> made;
   const UnsavedVolume* inSight = shown();
   for (const UnsavedVolume& each : all_) made.push_back({each.path, each.title, each.voxels.volume(), &each == inSight});
   parts_.autosave.setVolumes(made);

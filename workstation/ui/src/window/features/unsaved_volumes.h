@@ -11,7 +11,7 @@ class QAction;
 class QMenu;
 
 namespace ew::sdk {
-struct ShownVolume;
+struct DisplayVolume;
 }
 
 namespace ew::ui {
@@ -55,9 +55,9 @@ class UnsavedVolumes final : public Feature {
  private:
   void show(const UnsavedVolume& made);
   void showWaiting();
-  [[nodiscard]] const UnsavedVolume* waiting() const;                     ///< null: none
-  [[nodiscard]] std::optional<sdk::ShownVolume> shownForPlugins() const;  ///< that is no case's; empty: none
-  void keep();                                                            ///< against a crash
+  [[nodiscard]] const UnsavedVolume* waiting() const;                       ///< null: none
+  [[nodiscard]] std::optional<sdk::DisplayVolume> shownForPlugins() const;  ///< that is no case's; empty: none
+  void keep();                                                              ///< against a crash
   void saveShown();
   /// Asks for a name and begins to save. @return false: nothing is saved
   bool save(const UnsavedVolume& made);

@@ -107,7 +107,7 @@ void Appearance::restyle() {
   parts_.console->refreshIcons();
   parts_.measurePage->refreshIcons();
   parts_.scanView->refreshIcons();
-  parts_.pictures->refreshIcons();
+  parts_.imageGrid->refreshIcons();
   parts_.replayBar->refreshIcons();
   parts_.cineBar->refreshIcons();
   parts_.messages->refreshIcons();

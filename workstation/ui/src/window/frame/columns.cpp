@@ -100,7 +100,7 @@ void Columns::show() {
   const WindowLayout layout = layoutOf(request());
   const bool showsScan = !p.workspaces->isStaged() && p.workspaces->keepsScan();
   const std::pair<QWidget*, bool> columns[] = {
-      {p.panels, layout.showsPanels}, {p.body, layout.showsBody}, {p.console, layout.showsConsole}, {p.pictures, showsScan}};
+      {p.panels, layout.showsPanels}, {p.body, layout.showsBody}, {p.console, layout.showsConsole}, {p.imageGrid, showsScan}};
   // What goes goes first: the window must not be asked for more room than it has.
   for (const auto& [column, isShown] : columns)
     if (!isShown) column->hide();
@@ -177,14 +177,14 @@ bool Columns::isScanOnly() const { return parts_.viewColumns->isScanOnly(); }
 
 void Columns::placeMessages() {
   WindowParts& p = parts_;
-  const bool isOverScan = p.workspaces->isAtWork() && p.pictures->isVisibleTo(p.pages);
-  QWidget* below = isOverScan                                                   ? static_cast<QWidget*>(p.pictures)
+  const bool isOverScan = p.workspaces->isAtWork() && p.imageGrid->isVisibleTo(p.pages);
+  QWidget* below = isOverScan                                                   ? static_cast<QWidget*>(p.imageGrid)
                    : p.workspaces->isStaged() && p.stages->isVisibleTo(p.pages) ? static_cast<QWidget*>(p.stages)
                                                                                 : p.pages;
   QRect room(below->mapTo(p.central, QPoint(0, 0)), below->size());
   // Of more than one line it would lie on the button above the sliders.
   if (isOverScan)
-    for (const auto* reset : p.pictures->findChildren<QPushButton*>(QStringLiteral("dgcReset")))
+    for (const auto* reset : p.imageGrid->findChildren<QPushButton*>(QStringLiteral("dgcReset")))
       if (reset->isVisible()) room.setLeft(std::max(room.left(), reset->mapTo(p.central, QPoint(reset->width(), 0)).x() + 8));
   const int height_px = std::min(p.messages->heightFor(room.width()), room.height());
   p.messages->setGeometry(room.left(), isOverScan ? room.top() : room.bottom() + 1 - height_px, room.width(), height_px);

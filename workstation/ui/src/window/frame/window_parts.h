@@ -19,8 +19,8 @@
 #include "case/case_preparation.h"
 #include "ew/door/door.h"
 #include "ew/library/access.h"
-#include "images/picture_grid.h"
-#include "images/stored_examination.h"
+#include "images/examination_store.h"
+#include "images/image_grid.h"
 #include "import/opener.h"
 #include "jobs/jobs.h"
 #include "jobs/jobs_line.h"
@@ -113,10 +113,10 @@ struct WindowParts {
   WideScan wide{session};
   Calipers calipers{session, jobs};
   Worksheets worksheets{session, calipers};
-  StoredExamination stored{session, worksheets};
+  ExaminationStore stored{session, worksheets};
   WorkAutosave autosave;  ///< what was recorded, measured and made, against a crash
-  AnnotatedPictures annotated{session};
-  ShownMark bodyMark{session};
+  ImageAnnotations annotated{session};
+  ImageBodyMark bodyMark{session};
   UnsavedWork unsaved;  ///< all that could be lost; every way to lose something asks it
   FocusKeys focusKeys;
 
@@ -134,9 +134,9 @@ struct WindowParts {
   BodyColumn* body = nullptr;  ///< 3D view and case
   ViewColumns* viewColumns = nullptr;
   ScanView* scanView = nullptr;
-  PictureGrid* pictures = nullptr;  ///< with the scan view, and what stands beside it
-  PickLayer* pointing = nullptr;    ///< for plugins that ask for a point
-  BodyTools* bodyTools = nullptr;   ///< for plugins that move something in the body or ask for a place on it
+  ImageGrid* imageGrid = nullptr;  ///< with the scan view, and what stands beside it
+  PickLayer* pointing = nullptr;   ///< for plugins that ask for a point
+  BodyTools* bodyTools = nullptr;  ///< for plugins that move something in the body or ask for a place on it
   SourcePicker* sourcePicker = nullptr;
   CaliperLayer* caliperLayer = nullptr;
   CaliperLayer* stripCaliperLayer = nullptr;

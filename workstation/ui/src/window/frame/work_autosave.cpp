@@ -34,7 +34,7 @@ QString minutesOf(const ScanRecording& recording) {
   return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
 }
 
-Result<MeasuredWork> readMeasured(const std::filesystem::path& file) {
+Result<MeasurementWork> readMeasured(const std::filesystem::path& file) {
   const auto text = readTextFile(file, kLongestMeasured_bytes);
   if (!text) return passOn(text.error());
   const Message where = verbatim(file.string());
@@ -87,7 +87,7 @@ void WorkAutosave::describe() {
   if (std::exchange(isDescribed_, true)) return;
   json about = {{"kind", kWindowWork}, {"path", path_.toStdString()}, {"volumes", json::array()}};
   if (const auto& subject = session_.subject()) about["title"] = words(subject->title).toStdString();
-  for (const KeptVolume& each : volumes_)
+  for (const VolumeAutosave& each : volumes_)
     about["volumes"].push_back({{"path", each.made.path.toStdString()},
                                 {"title", each.made.title.toStdString()},
                                 {"item", each.item},
@@ -135,25 +135,25 @@ void WorkAutosave::dropRecording() {
   if (std::exchange(isRecordingKept_, false)) kept_.remove(kRecordingItem);
 }
 
-void WorkAutosave::setVolumes(const std::vector<MadeHere>& volumes) {
-  const auto isKnown = [](const MadeHere& a, const MadeHere& b) { return a.volume == b.volume && a.isShown == b.isShown; };
+void WorkAutosave::setVolumes(const std::vector<SessionVolume>& volumes) {
+  const auto isKnown = [](const SessionVolume& a, const SessionVolume& b) { return a.volume == b.volume && a.isShown == b.isShown; };
   if (std::equal(volumes.begin(), volumes.end(), volumes_.begin(), volumes_.end(),
-                 [&](const MadeHere& a, const KeptVolume& b) { return isKnown(a, b.made); }))
+                 [&](const SessionVolume& a, const VolumeAutosave& b) { return isKnown(a, b.made); }))
     return;
-  std::vector<KeptVolume> now;
-  for (const MadeHere& each : volumes) {
+  std::vector<VolumeAutosave> now;
+  for (const SessionVolume& each : volumes) {
     const auto known =
-        std::find_if(volumes_.begin(), volumes_.end(), [&](const KeptVolume& one) { return one.made.volume == each.volume; });
+        std::find_if(volumes_.begin(), volumes_.end(), [&](const VolumeAutosave& one) { return one.made.volume == each.volume; });
     now.push_back({each, known != volumes_.end() ? known->item : kVolumeBeginning + std::to_string(nextVolume_++) + ".mha"});
   }
-  const std::vector<KeptVolume> before = std::exchange(volumes_, std::move(now));
+  const std::vector<VolumeAutosave> before = std::exchange(volumes_, std::move(now));
   isDescribed_ = false;
   describe();
-  for (const KeptVolume& each : before)
-    if (std::none_of(volumes_.begin(), volumes_.end(), [&](const KeptVolume& one) { return one.item == each.item; }))
+  for (const VolumeAutosave& each : before)
+    if (std::none_of(volumes_.begin(), volumes_.end(), [&](const VolumeAutosave& one) { return one.item == each.item; }))
       for (const std::string& item : {each.item, each.item + kCoverageEnding}) kept_.remove(item);
-  for (const KeptVolume& each : volumes_) {
-    if (std::any_of(before.begin(), before.end(), [&](const KeptVolume& one) { return one.item == each.item; })) continue;
+  for (const VolumeAutosave& each : volumes_) {
+    if (std::any_of(before.begin(), before.end(), [&](const VolumeAutosave& one) { return one.item == each.item; })) continue;
     const auto volume = each.made.volume;
     kept_.replaceFile(each.item, volume->echo.size(), [volume](const std::filesystem::path& file) { return writeVolume(*volume, file); });
     if (!volume->coverage.empty())
@@ -163,38 +163,38 @@ void WorkAutosave::setVolumes(const std::vector<MadeHere>& volumes) {
 }
 
 void WorkAutosave::follow() {
-  if (const auto picture = calipers_.picture()) remember(*picture, calipers_.drawingIn(Where::picture).shown());
+  if (const auto image = calipers_.image()) remember(*image, calipers_.drawingIn(Where::image).shown());
   remember(calipers_.strip(), calipers_.drawingIn(Where::strip).shown());
   if (!keepSoon_.isActive()) keepSoon_.start();
 }
 
-void WorkAutosave::remember(std::uint64_t picture, const measurement::Measurements& shown) {
-  const auto known = std::find_if(images_.begin(), images_.end(), [&](const MeasuredImage& each) { return each.picture == picture; });
+void WorkAutosave::remember(std::uint64_t image, const measurement::Measurements& shown) {
+  const auto known = std::find_if(images_.begin(), images_.end(), [&](const ImageMeasurements& each) { return each.image == image; });
   if (shown.all.empty()) {
     if (known != images_.end()) images_.erase(known);
   } else if (known != images_.end()) {
     known->measurements = shown;
   } else {
-    images_.push_back({picture, session_.shownState(), session_.geometry(), shown});
+    images_.push_back({image, session_.shownState(), session_.geometry(), shown});
   }
 }
 
-MeasuredWork WorkAutosave::measured() const {
-  MeasuredWork work;
+MeasurementWork WorkAutosave::measured() const {
+  MeasurementWork work;
   work.images = images_;
   worksheets_.keepIn(work);
   work.combinations = calipers_.findings().combinations();
   return work;
 }
 
-void WorkAutosave::restore(const MeasuredWork& work) {
+void WorkAutosave::restore(const MeasurementWork& work) {
   images_ = work.images;
   keepMeasured();
 }
 
 void WorkAutosave::keepMeasured() {
   keepSoon_.stop();
-  MeasuredWork work = measured();
+  MeasurementWork work = measured();
   if (work.isEmpty()) {
     if (std::exchange(isMeasuredKept_, false)) kept_.remove(kMeasuredItem);
     return;
@@ -216,8 +216,8 @@ void WorkAutosave::forget() {
   kept_.flush();
 }
 
-LeftWork readLeftWork(Autosave::Left kept) {
-  LeftWork work(std::move(kept));
+RecoverableWork readLeftWork(Autosave::Left kept) {
+  RecoverableWork work(std::move(kept));
   const Autosave::Left& left = *work.left;
   JsonReading reading(verbatim(left.folder().string()));
   const JsonFields about(left.about(), reading);
@@ -233,8 +233,9 @@ LeftWork readLeftWork(Autosave::Left kept) {
   }
   if (about.has("step")) {
     const JsonFields step = about.object("step");
-    work.step = LeftWork::Step{step.text("lesson"), QString::fromStdString(step.text("title", "", 0, 10000)),
-                               static_cast<int>(step.whole("number", 1, 10000, 1)), static_cast<int>(step.whole("count", 1, 10000, 1))};
+    work.step =
+        RecoverableWork::Step{step.text("lesson"), QString::fromStdString(step.text("title", "", 0, 10000)),
+                              static_cast<int>(step.whole("number", 1, 10000, 1)), static_cast<int>(step.whole("count", 1, 10000, 1))};
   }
   if (reading.problem()) {  // what was read before it counts
     if (!left.items().empty()) work.unread.push_back(reading.problem()->message);
@@ -261,7 +262,7 @@ LeftWork readLeftWork(Autosave::Left kept) {
   return work;
 }
 
-QStringList linesOf(const LeftWork& work) {
+QStringList linesOf(const RecoverableWork& work) {
   QStringList lines;
   if (work.recording)
     lines << (work.kind == kExpertScanWork ? WorkAutosave::tr("An expert's scan that was being recorded for a lesson: %1 min")
@@ -269,7 +270,7 @@ QStringList linesOf(const LeftWork& work) {
                  .arg(minutesOf(*work.recording));
   if (!work.measured.images.empty()) lines << WorkAutosave::tr("What was measured, on images: %1").arg(work.measured.images.size());
   if (!work.measured.sheets.empty()) lines << WorkAutosave::tr("Worksheets with values: %1").arg(work.measured.sheets.size());
-  for (const LeftWork::MadeVolume& each : work.volumes)
+  for (const RecoverableWork::VolumeDraft& each : work.volumes)
     lines << (each.file.empty() ? WorkAutosave::tr("The volume made from '%1' was too large to be kept, and has to be made again.")
                                 : WorkAutosave::tr("The volume made from '%1'"))
                  .arg(each.title);

@@ -12,7 +12,7 @@
 
 #include "ew/core/volume.h"
 #include "ew/io/autosave.h"
-#include "measure/calipers/measured_work.h"
+#include "measure/calipers/measurement_work.h"
 
 namespace ew::ui {
 
@@ -33,7 +33,7 @@ class WorkAutosave final : public QObject {
 
  public:
   /// A volume that was made here and lies in no file yet.
-  struct MadeHere {
+  struct SessionVolume {
     QString path;   ///< of what it was made from
     QString title;  ///< for people
     std::shared_ptr<const Volume> volume;
@@ -51,9 +51,9 @@ class WorkAutosave final : public QObject {
   void takeRecording(const std::shared_ptr<const ScanRecording>& recording);
   /// It was saved, or the user gave it up.
   void dropRecording();
-  void setVolumes(const std::vector<MadeHere>& volumes);
+  void setVolumes(const std::vector<SessionVolume>& volumes);
   /// What was measured before the crash is here again.
-  void restore(const MeasuredWork& work);
+  void restore(const MeasurementWork& work);
   /// What is measured now, at once.
   void keepMeasured();
   /// The window closes, and whoever was asked has decided.
@@ -64,16 +64,16 @@ class WorkAutosave final : public QObject {
   void failed(const ew::Error& problem);  ///< something cannot be kept; once until it can again
 
  private:
-  struct KeptVolume {
-    MadeHere made;
+  struct VolumeAutosave {
+    SessionVolume made;
     std::string item;
   };
   void describe();
   void grow();
   void append(const ScanRecording& recording);
   void follow();
-  void remember(std::uint64_t picture, const measurement::Measurements& shown);
-  [[nodiscard]] MeasuredWork measured() const;
+  void remember(std::uint64_t image, const measurement::Measurements& shown);
+  [[nodiscard]] MeasurementWork measured() const;
 
   Session& session_;
   Recorder& recorder_;
@@ -85,16 +85,16 @@ class WorkAutosave final : public QObject {
   bool isMeasuredKept_ = false;
   const ScanRecording* growing_ = nullptr;  ///< whose events are in the file
   std::size_t events_ = 0;                  ///< so many
-  std::vector<MeasuredImage> images_;
-  std::vector<KeptVolume> volumes_;
+  std::vector<ImageMeasurements> images_;
+  std::vector<VolumeAutosave> volumes_;
   int nextVolume_ = 1;
   QTimer keepSoon_;
   Autosave kept_;  // last: its thread tells this object
 };
 
 /// What a program that crashed has left behind, read.
-struct LeftWork {
-  struct MadeVolume {
+struct RecoverableWork {
+  struct VolumeDraft {
     QString path, title;
     std::filesystem::path file;  ///< empty: it was too large to be kept
     bool isShown = false;
@@ -104,15 +104,15 @@ struct LeftWork {
     QString title;
     int number = 1, count = 1;
   };
-  explicit LeftWork(Autosave::Left kept) : left(std::make_shared<Autosave::Left>(std::move(kept))) {}
+  explicit RecoverableWork(Autosave::Left kept) : left(std::make_shared<Autosave::Left>(std::move(kept))) {}
 
   std::shared_ptr<Autosave::Left> left;
   std::string kind;
   QString path;   ///< as of WorkAutosave::setOpen
   QString title;  ///< of what was scanned, as a trainee may read it
   std::shared_ptr<const ScanRecording> recording;
-  MeasuredWork measured;
-  std::vector<MadeVolume> volumes;
+  MeasurementWork measured;
+  std::vector<VolumeDraft> volumes;
   std::optional<Step> step;
   std::vector<Message> unread;  ///< of what lies there and cannot be read, or not to its end: why
   // While it is gone on with.
@@ -125,8 +125,8 @@ struct LeftWork {
   [[nodiscard]] bool isOfPatient() const { return recording || !measured.isEmpty(); }
 };
 /// Off the window's thread: a recording of an hour is tens of megabytes.
-[[nodiscard]] LeftWork readLeftWork(Autosave::Left left);
+[[nodiscard]] RecoverableWork readLeftWork(Autosave::Left left);
 /// One line for each thing that was kept, for the question about it.
-[[nodiscard]] QStringList linesOf(const LeftWork& work);
+[[nodiscard]] QStringList linesOf(const RecoverableWork& work);
 
 }  // namespace ew::ui

@@ -2,7 +2,7 @@
 
 // What tests reach: texts, arrows and body marks on an image.
 
-#include "annotate/annotated_pictures.h"
 #include "annotate/annotation_layer.h"
 #include "annotate/body_mark_view.h"
-#include "annotate/shown_mark.h"
+#include "annotate/image_annotations.h"
+#include "annotate/image_body_mark.h"

@@ -6,7 +6,7 @@
 #include "window/features/unsaved_volumes.h"
 #include "window/frame/column_tabs.h"
 #include "window/frame/columns.h"
-#include "window/frame/guarded_application.h"
+#include "window/frame/safe_application.h"
 #include "window/frame/tour.h"
 #include "window/frame/view_columns.h"
 #include "window/language.h"

@@ -4,7 +4,7 @@
 
 namespace ew {
 
-/// A thin frame along the edge of a view whose picture leaves no place for a mark, as long as the view has the focus by the keyboard. Who
+/// A thin frame along the edge of a view whose image leaves no place for a mark, as long as the view has the focus by the keyboard. Who
 /// clicks into a view knows where the keys go, and gets no frame.
 class FocusRing final : public QWidget {
  public:

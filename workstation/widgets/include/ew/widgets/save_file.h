@@ -35,10 +35,10 @@ struct SaveFile {
 
 /// What everything on show in a window was made from, so that no question in it or in one of its dialogs lets that be replaced. A child of
 /// the window, which owns it.
-class ShownSources final : public QObject {
+class DisplaySources final : public QObject {
  public:
   using Ask = std::function<std::vector<std::filesystem::path>()>;
-  ShownSources(QWidget& window, Ask ask);
+  DisplaySources(QWidget& window, Ask ask);
   /// Of the window that a widget belongs to, and of those around that.
   [[nodiscard]] static std::vector<std::filesystem::path> around(const QWidget* widget);
 

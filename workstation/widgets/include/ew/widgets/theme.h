@@ -47,7 +47,7 @@ void holdFixedHeight(QWidget& widget, int px);
 void holdLeastWidth(QWidget& widget, int px);
 void holdLeastHeight(QWidget& widget, int px);
 
-/// While one lives fonts and sizes are those of 100 %: for pictures that leave the program, which are the same for every reader.
+/// While one lives fonts and sizes are those of 100 %: for images that leave the program, which are the same for every reader.
 class UsualTextSize {
  public:
   UsualTextSize();

@@ -10,7 +10,7 @@
 
 namespace ew {
 
-/// Gain, TGC and dynamic range as a machine has them: in decibels, along the beams, before the picture is made. Levels on a beam grid are
+/// Gain, TGC and dynamic range as a machine has them: in decibels, along the beams, before the image is made. Levels on a beam grid are
 /// decibels already, so that a gain is an addition; noise that was added before rises with it, and a slider's depth is an arc in a sector.
 /// The paper's factors on grey levels (Eq. 3-5) are in effects/gain.h; Knobs::gainLaw says which of the two acts.
 struct BeamGainSetting {

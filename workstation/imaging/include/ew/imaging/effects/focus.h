@@ -39,7 +39,7 @@ struct BeamModel {
 /// @param depth_mm below 0 or not a number: counts as 0
 [[nodiscard]] double lateralWidth_mm(const BeamModel& model, double depth_mm);
 
-/// Full width at half maximum of what the picture must be blurred by at a depth so that it looks like this beam's, mm:
+/// Full width at half maximum of what the image must be blurred by at a depth so that it looks like this beam's, mm:
 /// strength * sqrt(w^2 - recordedWidth^2), 0 where the recording is not sharper than the beam.
 [[nodiscard]] double blurWidth_mm(const BeamModel& model, double depth_mm);
 
@@ -64,7 +64,7 @@ struct LateralKernels {
 /// @param scratch holds a row; does not allocate when it is large enough already
 void blurLaterally(const LateralKernels& kernels, int firstRow, ImageView<float> echoes, std::vector<float>& scratch);
 
-/// How many samples across the picture a row is reduced to and stretched back from (the paper's focus): for each row of the beam grid,
+/// How many samples across the image a row is reduced to and stretched back from (the paper's focus): for each row of the beam grid,
 /// `lines` where the blur is not wider than a line, otherwise (lines - 1) * line distance / blurWidth_mm + 1, rounded, at least 2. A line
 /// met by a sample then becomes a triangle as wide at half of its height as the beam. Cruder than the kernel: from 10 to 90 % an edge
 /// measures 0.8 of those widths (1.6 where a sample falls into the edge itself) and not 1.09, and it lies up to half a width beside its

@@ -54,7 +54,7 @@ struct Tone {
 void buildGainTable(double gain, const std::array<double, kDgcSliders>& dgc, const Tone& tone, std::span<const double> rowPosition,
                     std::vector<std::uint8_t>& table);
 
-/// Looks the pixels of `spans` (one entry a row) up in their row's part of the table, in place. Threads share a picture by bands of rows: a
+/// Looks the pixels of `spans` (one entry a row) up in their row's part of the table, in place. Threads share an image by bands of rows: a
 /// band is a view of its rows, with the sub-spans of `spans` and of `table` that begin at its first row.
 /// @param table 256 x image.height entries, as buildGainTable makes them
 void applyGainTable(ImageView<std::uint8_t> image, std::span<const std::vector<RowSpan>> spans, std::span<const std::uint8_t> table);

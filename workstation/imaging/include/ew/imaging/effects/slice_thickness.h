@@ -46,13 +46,13 @@ struct ElevationRule {
 
 /// `planes` planes whose weighted mean stands for the Gaussian elevational profile (elevationRule). Their weights are rounded to whole
 /// multiples of 2^-16 that sum to 1, so that mean levels are exact whatever the order of the planes: turning the probe by 180 degrees
-/// swaps planes and mirrors the picture to the last bit.
+/// swaps planes and mirrors the image to the last bit.
 /// The offsets' pieces are exact at both ends; between, the width is at most 3 % too wide.
 /// @param planes 3..9; others are taken as the next odd number within
 [[nodiscard]] std::vector<ElevationPlane> makeElevationPlanes(const Probe& probe, double carrier_hz, const SliceThicknessEffect& effect,
                                                               const BeamGrid& grid, int planes);
 
-/// The rows that sample one such plane: row n of the (samples x lines) picture is line n, piece after piece.
+/// The rows that sample one such plane: row n of the (samples x lines) image is line n, piece after piece.
 /// @param rows resized to the lines of the grid times the pieces
 void rowsOf(const BeamGrid& grid, const ElevationPlane& plane, const Transform<frame::Voxel, frame::Probe>& probeToVoxel,
             std::vector<SampleRow>& rows);
