@@ -7951,6 +7951,10 @@
         <translation>%1 ist keine Notiz eines Postausgangs; verschieben Sie sie, und ihr Objekt wird noch einmal gesendet.</translation>
     </message>
     <message>
+        <source>%1 is no file of notes of an outbox; move it away, or choose another folder for the outbox.</source>
+        <translation>%1 ist keine Datei mit Notizen eines Postausgangs; verschieben Sie sie, oder wählen Sie einen anderen Ordner für den Postausgang.</translation>
+    </message>
+    <message>
         <source>%1 was written by a newer version of EchoWeave; send with that one.</source>
         <translation>%1 wurde von einer neueren Version von EchoWeave geschrieben; senden Sie mit dieser.</translation>
     </message>

@@ -1,6 +1,7 @@
 #include "ew/io/outbox.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -178,6 +179,32 @@ TEST(OneOutbox, NotesOfANewerVersionAreLeftToIt) {
   EXPECT_EQ(textOf(folder / "o/notes"), "{\"format\":2}\n");
 }
 
+TEST(OneOutbox, AFileOfSomebodyElseThatIsCalledNotesIsLeftAlone) {
+  const test::TemporaryFolder folder;
+  for (const char* text : {"buy gel\ncall the archive\n", "no line at all", "{\"format\":0}\n"}) {
+    writeText(folder / "o/notes", text);
+    const auto outbox = Outbox::open(folder / "o", kInOrder);
+    ASSERT_FALSE(outbox) << text;
+    EXPECT_EQ(outbox.error().code, ErrorCode::notReadable);
+    EXPECT_NE(outbox.error().sentence().find("move it away"), std::string::npos) << outbox.error();
+    EXPECT_EQ(textOf(folder / "o/notes"), text);
+  }
+  writeText(folder / "o/notes", "");
+  Outbox outbox = opened(folder / "o");
+  ASSERT_TRUE(put(outbox, "a"));
+}
+
+TEST(OneOutbox, ThatCannotBeListedIsNotTakenForAnEmptyOne) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root lists every folder";
+  const test::TemporaryFolder folder;
+  { ASSERT_TRUE(opened(folder / "o", kTold).entries().empty()); }
+  fs::permissions(folder / "o", fs::perms::owner_write | fs::perms::owner_exec);
+  const auto outbox = Outbox::open(folder / "o", kTold);
+  fs::permissions(folder / "o", fs::perms::owner_all);
+  ASSERT_FALSE(outbox);
+  EXPECT_EQ(outbox.error().code, ErrorCode::notWritable);
+}
+
 TEST(OneOutbox, LinesThatSayNothingHoldNothingUp) {
   const test::TemporaryFolder folder;
   writeText(folder / "o/0000000007-a.txt", "a");
@@ -218,6 +245,22 @@ TEST(OneOutbox, WhatEarlierVersionsNotedIsTakenOverOnce) {
   const Outbox again = opened(folder / "o", kind);
   EXPECT_TRUE(again.knows("a"));
   EXPECT_EQ(again.find("b")->problem, "why");
+}
+
+TEST(OneOutbox, WhatArrivedStaysSoWhateverAnEarlierVersionSays) {
+  const test::TemporaryFolder folder;
+  OutboxKind kind = kInOrder;
+  kind.earlierNotes = [](const fs::path&) -> Result<EarlierNotes> {
+    EarlierNotes earlier;
+    earlier.entries = {{.id = "a", .status = OutboxStatus::doubtful}};
+    return earlier;
+  };
+  writeText(folder / "o/notes", "{\"format\":1}\n{\"id\":\"a\",\"status\":\"arrived\"}\n");
+  for (int runs = 0; runs < 2; ++runs) {
+    const Outbox outbox = opened(folder / "o", kind);
+    EXPECT_EQ(idsOf(outbox), Ids{});
+    EXPECT_EQ(outbox.count(OutboxStatus::arrived), 1u);
+  }
 }
 
 TEST(OneOutbox, WhereItCannotBeNotedNothingChanges) {

@@ -123,6 +123,17 @@ TEST(StatementOutbox, OfAnEarlierVersionGoesOnWhereItStood) {
   }
 }
 
+TEST(StatementOutbox, OfAnEarlierVersionThatWasTakenOverInPartKnowsWhatArrived) {
+  const TemporaryFolder folder;
+  writeText(folder / "o/sent", idNumbered(1) + "\n");
+  writeText(folder / "o/sending", idNumbered(1) + "\n");
+  { ASSERT_TRUE(opened(folder / "o").entries().empty()); }
+  writeText(folder / "o/sending", idNumbered(1) + "\n");  // stopped between the removal of one list and of the other
+  const StatementOutbox outbox = opened(folder / "o");
+  EXPECT_TRUE(outbox.entries().empty()) << "nobody has to be asked for it";
+  EXPECT_EQ(outbox.count(OutboxStatus::arrived), 1u);
+}
+
 TEST(StatementOutbox, KnowsAfterACrashWhatWasBeingSent) {
   const TemporaryFolder folder;
   {

@@ -145,7 +145,7 @@ struct Outbox::Parts {
   [[nodiscard]] fs::path notes() const { return folder / kNotes; }
   [[nodiscard]] Result<void> takeLock();
   [[nodiscard]] Result<void> read();
-  void findCopies(std::vector<fs::path>& found);
+  [[nodiscard]] Result<void> findCopies(std::vector<fs::path>& found);
   void take(OutboxEntry entry, std::map<std::string, OutboxEntry>& noted);
   [[nodiscard]] Result<std::size_t> readNotes(std::map<std::string, OutboxEntry>& noted);
   [[nodiscard]] Result<void> readEarlier(std::map<std::string, OutboxEntry>& noted);
@@ -170,7 +170,7 @@ Result<void> Outbox::Parts::takeLock() {
 }
 
 /// Copies by the names of their files; what a program that was ended left aside goes.
-void Outbox::Parts::findCopies(std::vector<fs::path>& found) {
+Result<void> Outbox::Parts::findCopies(std::vector<fs::path>& found) {
   std::vector<fs::path> left;
   std::error_code problem;
   for (fs::directory_iterator each(folder, problem); !problem && each != fs::directory_iterator(); each.increment(problem)) {
@@ -180,16 +180,18 @@ void Outbox::Parts::findCopies(std::vector<fs::path>& found) {
     closeFileToOthers(each->path());
     found.push_back(each->path());
   }
+  if (problem) return outboxNotWritable(folder, problem.message());
   for (const fs::path& aside : left) fs::remove(aside, problem);
   std::sort(found.begin(), found.end());
+  return {};
 }
 
-/// The latest word about something.
+/// The latest word about something; that it arrived is the last.
 void Outbox::Parts::take(OutboxEntry entry, std::map<std::string, OutboxEntry>& noted) {
   if (entry.status == OutboxStatus::arrived) {
     noted.erase(entry.id);
     arrived.insert(std::move(entry.id));
-  } else {
+  } else if (!arrived.contains(entry.id)) {
     noted.insert_or_assign(entry.id, std::move(entry));
   }
 }
@@ -200,6 +202,10 @@ Result<std::size_t> Outbox::Parts::readNotes(std::map<std::string, OutboxEntry>&
   if (!fs::exists(notes(), ignored)) return std::size_t{0};
   const auto text = readTextFile(notes(), kLargestNotes_bytes);
   if (!text) return passOn(text.error());
+  if (!text->empty() && wholeAt(jsonOrNull(std::string_view(*text).substr(0, text->find('\n'))), "format").value_or(0) < 1)
+    return failure(ErrorCode::notReadable,
+                   say<"%1 is no file of notes of an outbox; move it away, or choose another folder for the outbox.">(inQuotes(notes())),
+                   {{"file", notes().string()}});
   std::size_t lines = 0;
   for (std::size_t begin = 0, end = 0; (end = text->find('\n', begin)) != std::string::npos; begin = notes_bytes = end + 1) {
     const json note = jsonOrNull(std::string_view(*text).substr(begin, end - begin));
@@ -248,7 +254,7 @@ void Outbox::Parts::takeCopy(const fs::path& copy, std::map<std::string, OutboxE
 
 Result<void> Outbox::Parts::read() {
   std::vector<fs::path> found;
-  findCopies(found);
+  if (auto listed = findCopies(found); !listed) return listed;
   std::map<std::string, OutboxEntry> noted;
   const auto lines = readNotes(noted);
   if (!lines) return passOn(lines.error());

@@ -65,7 +65,8 @@ class Outbox {
  public:
   /// Makes the folder when it is not there, for its owner alone. A copy without a note counts as waiting; what cannot be read is left out
   /// and left where it is (unreadable()).
-  /// @error notWritable (also when another program has it), newerFormat, notReadable (the notes)
+  /// @error notWritable (also when another program has it, or it cannot be listed), newerFormat, notReadable (the notes, or what is called
+  /// so)
   [[nodiscard]] static Result<Outbox> open(const std::filesystem::path& folder, const OutboxKind& kind);
   ~Outbox();
   Outbox(Outbox&&) noexcept;
