@@ -114,6 +114,10 @@ const std::vector<Wrong>& wrongOnes() {
       {"mannequin", [](Case& c) { c.mannequin = "../adult.json"; }},
       {"probes[0]", [](Case& c) { c.probes = {""}; }},
       {"scene.noise.at_face_db", [](Case& c) { c.scene.noise->atFace_db = 500.0; }},
+      {"scene.tissues[0].name",
+       [longText](Case& c) {
+         c.scene.tissues = {{1, longText}};
+       }},
       {"presets", [](Case& c) { c.otherFields["presets"] = "abdomen-convex-3.5"; }},
       {"parts.lessons", [](Case& c) { c.otherFields["parts"]["lessons"] = 3; }},
       {"echoes", [](Case& c) { c.otherFields["echoes"] = nlohmann::json::object(); }},

@@ -177,7 +177,9 @@ Problems problemsOfScene(const Scene& scene) {
   std::sort(tissues.begin(), tissues.end(), sameLabel);
   const bool isDouble =
       std::adjacent_find(tissues.begin(), tissues.end(), [](const auto& a, const auto& b) { return a.label == b.label; }) != tissues.end();
-  if (limited(scene) == scene && !isDouble) return {};
+  const bool isLong = std::any_of(tissues.begin(), tissues.end(),
+                                  [](const TissueAcoustics& each) { return each.name.size() > TissueAcoustics::kLongestName_bytes; });
+  if (limited(scene) == scene && !isDouble && !isLong) return {};
   Problems problems = schemaProblems({{"scene", toJson(scene)}}, SchemaName::caseOtherFields, verbatim(kManifestName));
   if (!problems.empty()) return problems;
   if (auto read = sceneFromJson(toJson(scene), sceneName()); !read) problems.push_back(inScene(std::move(read.error())));
