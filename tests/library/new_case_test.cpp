@@ -259,6 +259,7 @@ TEST(MakeCase, OfNothingWaitsForAVolumeAndTakesOne) {
 
   Case edited = given->edited;
   edited.targets.push_back({.kind = CaseTarget::Kind::point, .name = "p", .at_mm = glm::dvec3(1, 2, 3), .tolerance_mm = 5.0});
+  edited.otherFields["echoes"] = nlohmann::json::object();  // of the volume before
   Volume other = noisyVolume({12, 10, 8}, 3);
   other.grid.spacing_mm = glm::dvec3(0.5);
   ASSERT_TRUE(writeVolume(other, folder / "other.mha"));
@@ -266,6 +267,7 @@ TEST(MakeCase, OfNothingWaitsForAVolumeAndTakesOne) {
   ASSERT_TRUE(replaced) << replaced.error();
   EXPECT_EQ(replaced->edited.volume.fileToWorld, edited.volume.fileToWorld) << "the placement stays";
   EXPECT_EQ(replaced->edited.targets.size(), 1u);
+  EXPECT_FALSE(replaced->edited.otherFields.contains("echoes"));
   EXPECT_TRUE(fs::exists(folder / "later" / edited.volume.file)) << "undo needs it";
   EXPECT_FALSE(fs::exists(folder / "later/.stitching"));
   EXPECT_FALSE(giveVolume(edited, std::monostate{}));

@@ -104,6 +104,10 @@ TEST(CaseVolume, KeepsWhomToNameAndTheLicenceOfACaseOfAFileAndSaysWhatItsVolumeH
   EXPECT_EQ(made.edited.volume, expected);
   EXPECT_EQ(made.edited.otherFields, fileCase().otherFields);
   EXPECT_TRUE(caseWithVolume(recipeCase(), {"new.mha", ""}, check).hadRecipe);
+  Case formed = fileCase();
+  formed.otherFields["echoes"] = {{"motion", {{"file", "echoes/motion.bin"}}}};
+  EXPECT_EQ(caseWithVolume(formed, {"new.mha", "new-level.mha"}, check).edited.otherFields, fileCase().otherFields)
+      << "they lie on the grid of the volume before";
 }
 
 TEST(CaseVolume, PutsAVolumeOfAnotherRecordingWhereTheOneBeforeLay) {

@@ -29,7 +29,7 @@ Case withGiven(Case present, const VolumeReplacement& given) {
     present.otherFields["volume"] = given.edited.otherFields["volume"];
   else
     present.otherFields.erase("volume");
-  return present;
+  return withoutEchoes(std::move(present));
 }
 
 }  // namespace

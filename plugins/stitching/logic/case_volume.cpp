@@ -61,7 +61,7 @@ bool isPlacedAnew(CaseVolume& volume, const Grid& before, const Grid& now) {
 
 CaseWithVolume caseWithVolume(Case opened, const VolumeForCase& next, const std::function<std::vector<Error>(const Case&)>& check) {
   CaseWithVolume made;
-  made.edited = std::move(opened);
+  made.edited = withoutEchoes(std::move(opened));
   CaseVolume& volume = made.edited.volume;
   made.hadRecipe = !volume.recipe.empty();
   made.hadLabels = !volume.labels.empty();

@@ -29,7 +29,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr const char* kEchoes = "echoes";
 constexpr const char* kMotionName = "echoes/motion.bin";
 constexpr std::size_t kMostSurfaces = 255, kMostFields = 128;
 constexpr std::size_t kMostNodes = std::size_t{1} << 26;  // of all fields: 800 MB, as the cache takes of one
@@ -98,7 +97,7 @@ TissueMotion motionIn(const JsonFields& object) {
 /// @error badField
 Result<EchoFields> echoFieldsIn(const json& echoes) {
   JsonReading reading(verbatim(kManifestName));
-  const JsonFields object(echoes, reading, kEchoes);
+  const JsonFields object(echoes, reading, kEchoesField);
   EchoFields read;
   for (const JsonFields& each : object.objects("surfaces", 0, kMostSurfaces)) read.surfaces.push_back(surfaceIn(each));
   read.distance = object.text("distance", std::string(), 1, 1000);
@@ -226,14 +225,14 @@ ordered_json jsonOf(const TissueMotion& motion) {
 
 std::vector<std::string> echoFilesOf(const Case& opened) {
   std::vector<std::string> files;
-  const json& echoes = memberOf(opened.otherFields, kEchoes);
+  const json& echoes = memberOf(opened.otherFields, kEchoesField);
   for (std::string file : {textAt(echoes, "distance"), textAt(echoes, "kind"), textAt(memberOf(echoes, "motion"), "file")})
     if (!file.empty()) files.push_back(std::move(file));
   return files;
 }
 
 std::vector<Error> problemsOfEchoes(const Case& opened) {
-  const json& echoes = memberOf(opened.otherFields, kEchoes);
+  const json& echoes = memberOf(opened.otherFields, kEchoesField);
   if (echoes.is_null()) return {};
   const fs::path& folder = opened.folder;
   const auto fields = echoFieldsIn(echoes);
@@ -242,9 +241,9 @@ std::vector<Error> problemsOfEchoes(const Case& opened) {
   if (!opened.volume.recipe.empty())
     problems.push_back({ErrorCode::badField,
                         say<"'echoes' in case.json stands beside a recipe, which makes its own; take one of them out.">(),
-                        {{"field", kEchoes}, {"expected", "no echoes beside a recipe"}}});
+                        {{"field", kEchoesField}, {"expected", "no echoes beside a recipe"}}});
   else if (opened.volume.level.empty())
-    problems.push_back(fieldError(verbatim(kManifestName), kEchoes, say<"given, and the volume has no level">(),
+    problems.push_back(fieldError(verbatim(kManifestName), kEchoesField, say<"given, and the volume has no level">(),
                                   say<"left out, or beside the volume.level that it belongs to">()));
   for (const auto& [file, field] : {std::pair{&fields->distance, "echoes.distance"}, std::pair{&fields->kind, "echoes.kind"}})
     if (!file->empty())
@@ -255,7 +254,7 @@ std::vector<Error> problemsOfEchoes(const Case& opened) {
 }
 
 Result<CaseTissue> readTissue(const Case& opened, Volume level, const Grid& volume, Progress& progress, std::vector<Message>& notes) {
-  const json& echoes = memberOf(opened.otherFields, kEchoes);
+  const json& echoes = memberOf(opened.otherFields, kEchoesField);
   CaseTissue read{std::make_shared<TissueMaps>(recordedMaps(level.grid, std::move(level.echo)))};
   if (echoes.is_null()) return read;
   const auto fields = echoFieldsIn(echoes);
@@ -290,7 +289,7 @@ Result<void> addEchoes(Case& into, const fs::path& folder, const TissueMaps& map
     if (auto written = writeShifts(*motion, folder / kMotionName); !written) return written;
     echoes["motion"] = jsonOf(*motion);
   }
-  into.otherFields[kEchoes] = json(echoes);
+  into.otherFields[kEchoesField] = json(echoes);
   return {};
 }
 

@@ -18,4 +18,9 @@ const char* nameOf(CaseTarget::Kind kind) {
 
 bool hasNoVolume(const Case& opened) { return opened.volume.file.empty() && opened.volume.recipe.empty(); }
 
+Case withoutEchoes(Case edited) {
+  edited.otherFields.erase(kEchoesField);
+  return edited;
+}
+
 }  // namespace ew

@@ -97,6 +97,7 @@ void dropWhatIsLost(VolumeReplacement& given) {
   CaseVolume fresh;
   fresh.fileToWorld = edited.volume.fileToWorld;
   edited.volume = fresh;
+  edited = withoutEchoes(std::move(edited));
   if (edited.otherFields.contains("volume"))
     for (const char* field : {"depth_direction", "lateral_direction", "probe_side_is_assumed", "attribution", "licence"})
       edited.otherFields["volume"].erase(field);
