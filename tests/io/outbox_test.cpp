@@ -181,13 +181,16 @@ TEST(OneOutbox, NotesOfANewerVersionAreLeftToIt) {
 
 TEST(OneOutbox, AFileOfSomebodyElseThatIsCalledNotesIsLeftAlone) {
   const test::TemporaryFolder folder;
+  constexpr auto kForAll = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read;
   for (const char* text : {"buy gel\ncall the archive\n", "no line at all", "{\"format\":0}\n"}) {
     writeText(folder / "o/notes", text);
+    fs::permissions(folder / "o/notes", kForAll);
     const auto outbox = Outbox::open(folder / "o", kInOrder);
     ASSERT_FALSE(outbox) << text;
     EXPECT_EQ(outbox.error().code, ErrorCode::notReadable);
     EXPECT_NE(outbox.error().sentence().find("move it away"), std::string::npos) << outbox.error();
     EXPECT_EQ(textOf(folder / "o/notes"), text);
+    EXPECT_EQ(fs::status(folder / "o/notes").permissions(), kForAll);
   }
   writeText(folder / "o/notes", "");
   Outbox outbox = opened(folder / "o");

@@ -165,7 +165,7 @@ Result<void> Outbox::Parts::takeLock() {
                    say<"Another program is sending from the outbox %1; wait until it has finished.">(inQuotes(folder)),
                    {{"file", folder.string()}});
   lock = std::move(*taken);
-  for (const fs::path& own : {folder / ".lock", notes()}) closeFileToOthers(own);
+  closeFileToOthers(folder / ".lock");
   return {};
 }
 
@@ -206,6 +206,7 @@ Result<std::size_t> Outbox::Parts::readNotes(std::map<std::string, OutboxEntry>&
     return failure(ErrorCode::notReadable,
                    say<"%1 is no file of notes of an outbox; move it away, or choose another folder for the outbox.">(inQuotes(notes())),
                    {{"file", notes().string()}});
+  closeFileToOthers(notes());
   std::size_t lines = 0;
   for (std::size_t begin = 0, end = 0; (end = text->find('\n', begin)) != std::string::npos; begin = notes_bytes = end + 1) {
     const json note = jsonOrNull(std::string_view(*text).substr(begin, end - begin));
