@@ -34,6 +34,27 @@ TEST(Edits, RightsStandBesideTheVolumeAndGoWithoutATrace) {
   EXPECT_EQ(attribution.with(named, ""), opened());
 }
 
+TEST(Edits, AGivenVolumeBringsWhatIsSaidOfItAndNothingElse) {
+  Case present = opened();
+  present.title = "typed meanwhile";
+  present.scene.attenuation.emplace();
+  present.scene.reverberation.emplace();
+  present.scene.noise.emplace();
+  present.otherFields["echoes"] = nlohmann::json::object();
+  Case given = opened();
+  given.volume.file = "b.mha";
+  given.targets = {{CaseTarget::Kind::point, "p", glm::dvec3(1.0), 5.0}};
+  given.otherFields["volume"] = {{"licence", "CC BY 4.0"}};
+  Case expected = given;
+  expected.title = "typed meanwhile";
+  expected.scene.noise.emplace();
+  EXPECT_EQ(withVolumeGiven(present, given), expected) << "a recording has its own shadows, and its echoes are no other's";
+  given.scene.attenuation.emplace();
+  EXPECT_TRUE(withVolumeGiven(present, given).scene.attenuation);
+  given.otherFields.erase("volume");
+  EXPECT_FALSE(withVolumeGiven(present, given).otherFields.contains("volume"));
+}
+
 TEST(Edits, TheFieldOfAProblemComesFromItsContext) {
   EXPECT_EQ(fieldOf(Error{ErrorCode::badField, verbatim("x"), {{"found", "3"}, {"field", "patient.sex"}}}), "patient.sex");
   EXPECT_EQ(fieldOf(Error{ErrorCode::badField, verbatim("x"), {{"field", "start_pose[3]"}}}), "start_pose");

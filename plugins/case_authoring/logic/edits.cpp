@@ -71,6 +71,21 @@ Case withStartPose(Case edited, const std::optional<Transform<frame::World, fram
   return edited;
 }
 
+Case withVolumeGiven(Case present, const Case& given) {
+  present.volume = given.volume;
+  present.targets = given.targets;
+  present.measurements = given.measurements;
+  // A recording has its own.
+  if (!given.scene.attenuation) present.scene.attenuation.reset();
+  if (!given.scene.reverberation) present.scene.reverberation.reset();
+  // Rights and the probe's side are said of the volume, and stand beside it.
+  if (given.otherFields.contains("volume"))
+    present.otherFields["volume"] = given.otherFields["volume"];
+  else
+    present.otherFields.erase("volume");
+  return withoutEchoes(std::move(present));
+}
+
 bool seesVolume(const sdk::Cases::Scan& scan, const Transform<frame::World, frame::Probe>& probeToWorld) {
   constexpr double kDepthStep_mm = 4.0;
   constexpr int kLines = 17;

@@ -35,6 +35,9 @@ using CaseTexts = CaseField<std::vector<std::string>>;
 /// Where the probe stands at the start; empty: the program chooses.
 [[nodiscard]] Case withStartPose(Case edited, const std::optional<Transform<frame::World, frame::Probe>>& probeToWorld);
 
+/// What giving a volume (giveVolume) changed, on the case as it is by now.
+[[nodiscard]] Case withVolumeGiven(Case present, const Case& given);
+
 /// Whether any part of the image lies within the volume when the probe of `scan` stands at `probeToWorld`. The image is looked at every
 /// 4 mm of depth and in 17 lines: a volume that is smaller may be missed.
 [[nodiscard]] bool seesVolume(const sdk::Cases::Scan& scan, const Transform<frame::World, frame::Probe>& probeToWorld);

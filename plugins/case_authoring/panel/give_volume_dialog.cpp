@@ -13,26 +13,11 @@
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
+#include "logic/edits.h"
 #include "panel/rights_form.h"
 #include "panel/source_field.h"
 
 namespace ew::case_authoring {
-namespace {
-
-/// What giving a volume changes, on the case as it is by now.
-Case withGiven(Case present, const VolumeReplacement& given) {
-  present.volume = given.edited.volume;
-  present.targets = given.edited.targets;
-  present.measurements = given.edited.measurements;
-  // Rights and the probe's side are said of the volume, and stand beside it.
-  if (given.edited.otherFields.contains("volume"))
-    present.otherFields["volume"] = given.edited.otherFields["volume"];
-  else
-    present.otherFields.erase("volume");
-  return withoutEchoes(std::move(present));
-}
-
-}  // namespace
 
 GiveVolumeDialog::GiveVolumeDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), host_(host) {
   setObjectName(QStringLiteral("giveVolumeDialog"));
@@ -112,7 +97,7 @@ void GiveVolumeDialog::give() {
             done = failure(ErrorCode::badUsage,
                            say<"Another case was opened meanwhile; open the case again and give it the volume once more.">());
           } else {
-            done = host.cases().edit(withGiven(*now, *given), tr("Give the case a volume").toStdString(), {});
+            done = host.cases().edit(withVolumeGiven(*now, given->edited), tr("Give the case a volume").toStdString(), {});
           }
         }
         if (done) {
