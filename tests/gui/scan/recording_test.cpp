@@ -1,9 +1,11 @@
 // A scan is recorded, played, saved and opened again, and asked about when it would be lost.
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "ew/library/case.h"
 #include "ew/scanning/replay.h"
 #include "ew/ui_test_door/cine.h"
 #include "ew/widgets/time_line.h"
@@ -196,9 +198,31 @@ class RecordingTest : public WindowFixture {
     QVERIFY(!window_->messages().isError());
   }
 
-  void aRecordingOfSomethingElseSaysWhatToOpenFirst() {
+  void aRecordingOfAnotherCaseOfTheLibraryOpensThatAndPlays() {
+    const QString place = files_.writeCase(QStringLiteral("own cases/another"));
+    auto another = loadCase(place.toStdString());
+    QVERIFY(another.has_value());
+    another->id = "another-case";
+    QVERIFY(saveCase(*another, place.toStdString()).has_value());
     ScanRecording other;
     other.caseId = "another-case";
+    other.title = "Another case";
+    other.log.addFrame(session().shownState());
+    const QString file = files_.path(QStringLiteral("another.seq.mha"));
+    QVERIFY(writeRecording(other, file.toStdString()).has_value());
+    window_->showStartPage();
+    QVERIFY(waitUntil([this] { return window_->isSettled(); }));
+    window_->open(file);
+    QVERIFY(waitUntil([this] { return window_->document().current()->id == "another-case" && window_->isSettled(); }));
+    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
+    QVERIFY(bar().recording() != nullptr);
+    QCOMPARE(bar().recording()->caseId, std::string("another-case"));
+    QVERIFY(QDir(place).removeRecursively());  // the other tests have the library for themselves
+  }
+
+  void aRecordingOfSomethingElseSaysWhatToOpenFirst() {
+    ScanRecording other;
+    other.caseId = "unknown-case";
     other.title = "Another case";
     other.log.addFrame(session().shownState());
     const QString file = files_.path(QStringLiteral("other.seq.mha"));

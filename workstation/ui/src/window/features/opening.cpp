@@ -235,7 +235,9 @@ void Opening::opened(const QString& path) {
   remember(path);
   parts_.pages->setCurrentWidget(parts_.workspacePage);
   parts_.scanView->setFocus();
-  if (const auto waiting = std::exchange(waiting_, {}); waiting.recording) playRecording(waiting.path, waiting.recording);
+  // Of another case than the one that was opened it waits no longer.
+  if (const auto waiting = std::exchange(waiting_, {}); waiting.recording)
+    static_cast<void>(parts_.recording->play(waiting.path, waiting.recording));
   parts_.caseLibrary->forgetImported();
   parts_.presets->beginScanOfCase();
   if (const auto& current = parts_.document.current()) parts_.preparing->forgetOffer(current->id);
@@ -246,7 +248,8 @@ void Opening::opened(const QString& path) {
 
 void Opening::ended() {
   calibrations_.clear();
-  if (!std::exchange(isBehind_, false)) waiting_ = {};  // a recording plays once its case is ready and taken
+  // A recording plays once its case is ready and taken; that one is being opened when the opening of the recording itself ends.
+  if (!std::exchange(isBehind_, false) && !parts_.opener->isOpening()) waiting_ = {};
   parts_.caseSaving->openingEnded();
   parts_.resuming->openingEnded();
   parts_.preparing->openingIsRead();
