@@ -347,6 +347,18 @@ TEST_F(StatementSending, WhereTheReceiptCannotBeWrittenNothingIsSentTwiceAfterwa
   expectEachOnce(4);
 }
 
+TEST_F(StatementSending, ADoubtfulOneWhoseFileIsLostIsNotCalledAnother) {
+  fill(*outbox_, 1);
+  ASSERT_TRUE(outbox_->announce({idNumbered(0)}));
+  std::filesystem::remove(outbox_->copyOf(outbox_->entries()[0]));
+  server_.store(statementNumbered(0));
+  reopen();
+  EXPECT_EQ(send().refused, 1u);
+  ASSERT_EQ(outbox_->entries().size(), 1u);
+  EXPECT_EQ(outbox_->entries()[0].problem.find("another statement"), std::string::npos) << outbox_->entries()[0].problem;
+  EXPECT_NE(outbox_->entries()[0].problem.find(idNumbered(0)), std::string::npos) << outbox_->entries()[0].problem;
+}
+
 TEST_F(StatementSending, ADamagedFileIsRefusedAndTheOthersGo) {
   fill(*outbox_, 3);
   for (const auto& each : std::filesystem::directory_iterator(folder_ / "o"))

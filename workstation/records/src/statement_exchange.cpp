@@ -104,7 +104,10 @@ Result<Next> StatementSender::settleDoubts(std::vector<std::string>& ids) {
     if (there == There::unknown) return next;
     Result<Next> settled = Next::on;
     if (there == There::yes) settled = arrived({id});
-    if (there == There::other) settled = refuse(id, "The server has another statement with this id.");
+    if (there == There::other) {
+      const auto own = outbox_.textOf(id);  // without it nobody can say that the server's is another
+      settled = refuse(id, own ? "The server has another statement with this id." : own.error().sentence());
+    }
     if (!settled) return settled;
     if (there == There::no || there == There::mayNotRead) left.push_back(id);
   }
