@@ -7955,6 +7955,10 @@
         <translation>%1 ist keine Datei mit Notizen eines Postausgangs; verschieben Sie sie, oder wählen Sie einen anderen Ordner für den Postausgang.</translation>
     </message>
     <message>
+        <source>%1 holds something else than its name says; move it away, and add it again.</source>
+        <translation>%1 enthält etwas anderes, als der Name sagt; verschieben Sie die Datei, und nehmen Sie sie neu auf.</translation>
+    </message>
+    <message>
         <source>%1 was written by a newer version of EchoWeave; send with that one.</source>
         <translation>%1 wurde von einer neueren Version von EchoWeave geschrieben; senden Sie mit dieser.</translation>
     </message>

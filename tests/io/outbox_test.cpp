@@ -151,6 +151,19 @@ TEST(OneOutbox, GoesOnWhereItStoppedBetweenACopyAndItsNote) {
   EXPECT_TRUE(fs::exists(folder / "o/NOT-AN-ID.txt"));
 }
 
+TEST(OneOutbox, ACopyUnderTheNameOfAnotherIsNamedAndNotTakenTwice) {
+  const test::TemporaryFolder folder;
+  OutboxKind kind = kTold;
+  kind.entryOf = [](const fs::path&) -> Result<OutboxEntry> { return OutboxEntry{.id = "a"}; };
+  writeText(folder / "o/a.txt", "a");
+  writeText(folder / "o/b.txt", "a");
+  const Outbox outbox = opened(folder / "o", kind);
+  EXPECT_EQ(idsOf(outbox), Ids{"a"});
+  ASSERT_EQ(outbox.unreadable().size(), 1u);
+  EXPECT_NE(outbox.unreadable().front().sentence().find("b.txt"), std::string::npos) << outbox.unreadable().front();
+  EXPECT_TRUE(fs::exists(folder / "o/b.txt"));
+}
+
 TEST(OneOutbox, NotesDoNotGrowWithoutEnd) {
   const test::TemporaryFolder folder;
   {

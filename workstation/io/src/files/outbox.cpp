@@ -244,6 +244,10 @@ void Outbox::Parts::takeCopy(const fs::path& copy, std::map<std::string, OutboxE
   auto entry = known != noted.end()      ? Result<OutboxEntry>(std::move(known->second))
                : kind.entryOf != nullptr ? kind.entryOf(copy)  // stopped between the copy and its note
                                          : Result<OutboxEntry>(OutboxEntry{.id = id});
+  if (entry && entry->id != id)
+    entry =
+        failure(ErrorCode::badHeader, say<"%1 holds something else than its name says; move it away, and add it again.">(inQuotes(copy)),
+                {{"file", copy.string()}});
   if (!entry) {
     unreadable.emplace(id, entry.error());
     return;
