@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "ew/core/frames.h"
+#include "ew/library/echoes_field.h"
 
 namespace ew::case_authoring {
 

@@ -1,4 +1,5 @@
 #include "logic/case_volume.h"
+#include "ew/library/echoes_field.h"
 
 #include <algorithm>
 #include <charconv>

@@ -8,6 +8,7 @@
 #include "ew/core/message.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/scene.h"
+#include "ew/imaging/tissue_name.h"
 
 namespace ew::detail {
 
@@ -138,7 +139,7 @@ void visitFields(Visitor& field, const MotionEffect*) {
 template <class Visitor>
 void visitFields(Visitor& field, const TissueAcoustics*) {
   field.count("label", &TissueAcoustics::label, 0, 255);
-  field.text("name", &TissueAcoustics::name, TissueAcoustics::kLongestName_bytes);
+  field.text("name", &TissueAcoustics::name, kLongestTissueName_bytes);
   field.number("attenuation_db_per_cm_mhz", &TissueAcoustics::attenuation_dbPerCmMhz, 0.0, 100.0, say<"one way">);
   field.number("reflection_db", &TissueAcoustics::reflection_db, 0.0, 100.0, say<"lost on entering">);
   field.number("impedance_mrayl", &TissueAcoustics::impedance_mrayl, 0.0, 20.0, say<"below 0.05 gas, below 0.5 lung">);

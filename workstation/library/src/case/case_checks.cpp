@@ -7,6 +7,7 @@
 #include "ew/acquisition/reconstruct_words.h"
 #include "ew/core/json_fields.h"
 #include "ew/imaging/settings_json.h"
+#include "ew/imaging/tissue_name.h"
 #include "ew/library/schema.h"
 #include "ew/stitching/project.h"
 #include "files/value_rules.h"
@@ -177,8 +178,8 @@ Problems problemsOfScene(const Scene& scene) {
   std::sort(tissues.begin(), tissues.end(), sameLabel);
   const bool isDouble =
       std::adjacent_find(tissues.begin(), tissues.end(), [](const auto& a, const auto& b) { return a.label == b.label; }) != tissues.end();
-  const bool isLong = std::any_of(tissues.begin(), tissues.end(),
-                                  [](const TissueAcoustics& each) { return each.name.size() > TissueAcoustics::kLongestName_bytes; });
+  const bool isLong =
+      std::any_of(tissues.begin(), tissues.end(), [](const TissueAcoustics& each) { return each.name.size() > kLongestTissueName_bytes; });
   if (limited(scene) == scene && !isDouble && !isLong) return {};
   Problems problems = schemaProblems({{"scene", toJson(scene)}}, SchemaName::caseOtherFields, verbatim(kManifestName));
   if (!problems.empty()) return problems;

@@ -21,6 +21,7 @@
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/content_name.h"
+#include "ew/library/echoes_field.h"
 
 namespace ew {
 namespace {

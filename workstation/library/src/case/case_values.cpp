@@ -1,4 +1,5 @@
 #include "ew/library/case_values.h"
+#include "ew/library/echoes_field.h"
 
 namespace ew {
 

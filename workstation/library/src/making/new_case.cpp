@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ew/core/output_set.h"
+#include "ew/library/echoes_field.h"
 #include "ew/library/published.h"
 #include "ew/library/templates.h"
 #include "files/guarded_case.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +8,6 @@ namespace ew {
 
 /// How sound behaves in the tissue that a label stands for.
 struct TissueAcoustics {
-  static constexpr std::size_t kLongestName_bytes = 200;
   int label = 0;  ///< value in the label volume
   std::string name;
   double attenuation_dbPerCmMhz = 0.5;  ///< one way

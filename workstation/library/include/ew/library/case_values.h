@@ -145,9 +145,4 @@ struct Case {
 /// Whether a case has neither a file nor a recipe. It opens, and says that it has no volume.
 [[nodiscard]] bool hasNoVolume(const Case& opened);
 
-/// Where Case::otherFields has what forms the echoes of the case's volume (case_echoes.h).
-inline constexpr const char* kEchoesField = "echoes";
-/// Without it: it is of no other volume.
-[[nodiscard]] Case withoutEchoes(Case edited);
-
 }  // namespace ew
