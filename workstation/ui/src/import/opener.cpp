@@ -8,6 +8,7 @@
 
 #include "body/hand_input.h"
 #include "body/view3d.h"
+#include "case/case_preparation.h"
 #include "ew/core/ending.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/io/image_stack.h"
@@ -52,7 +53,7 @@ bool isNifti(const QString& path) {
 
 constexpr double kLong_s = 5.0;  ///< worth waiting for behind something else
 
-QString openingOf(const Case& opened) { return Opener::tr("Opening %1").arg(words(titleForTrainees(opened))); }
+QString openingOf(const Case& opened) { return Opener::tr("Opening %1").arg(shownTitle(opened)); }
 
 /// Whether a case has to be made, and how long that takes; empty: it is there.
 std::optional<CaseToMake> toBeMade(const Case& read) {
@@ -324,7 +325,7 @@ void Opener::openCase(const QString& path, LongCases longOnes) {
           Q_EMIT tooLong(path, *loaded->left);
           return;
         }
-        if (!mayReplace_(words(titleForTrainees(*loaded->opened)))) return;
+        if (!mayReplace_(shownTitle(*loaded->opened))) return;
         messages_.forgetWhatIsPast();
         takeContents(*loaded);
         patient_.reset();

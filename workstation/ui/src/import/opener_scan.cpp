@@ -4,10 +4,10 @@
 
 #include "body/hand_input.h"
 #include "body/view3d.h"
+#include "case/case_preparation.h"
 #include "ew/core/quiet_work.h"
 #include "ew/library/first_look.h"
 #include "ew/scanning/contact.h"
-#include "ew/widgets/words.h"
 #include "import/opener.h"
 #include "jobs/message_bar.h"
 
@@ -65,7 +65,7 @@ Session::Patient Opener::patientOf(const Sources& next) const {
 }
 
 bool Opener::mayScanCase(const Sources& next) const {
-  return patientOf(next) == Session::Patient::same || mayScan_(words(titleForTrainees(*document_.current())));
+  return patientOf(next) == Session::Patient::same || mayScan_(shownTitle(*document_.current()));
 }
 
 void Opener::stayWith(const Sources& refused) {
