@@ -12594,6 +12594,18 @@
         <source>Images</source>
         <translation>Bilder</translation>
     </message>
+    <message>
+        <source>%1 to %2%3</source>
+        <translation>%1 bis %2%3</translation>
+    </message>
+    <message>
+        <source>up to %1%2</source>
+        <translation>bis %1%2</translation>
+    </message>
+    <message>
+        <source>from %1%2</source>
+        <translation>ab %1%2</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>

@@ -197,9 +197,9 @@ TEST(Worksheet, ComparesWithUsualRanges) {
 }
 
 TEST(UsualRanges, AreWrittenWithBothEndsOrTheOneThatIsStated) {
-  EXPECT_EQ(rangeText({"A", Unit::cm, 9.0, 13.0, {}, {}}), "9 to 13 cm");
-  EXPECT_EQ(rangeText({"A", Unit::mm, {}, 6.5, {}, {}}), "up to 6.5 mm");
-  EXPECT_EQ(rangeText({"A", Unit::one, 3.0, {}, {}, {}}), "from 3");
+  EXPECT_EQ(rangeText({"A", Unit::cm, 9.0, 13.0, {}, {}}).english(), "9 to 13 cm");
+  EXPECT_EQ(rangeText({"A", Unit::mm, {}, 6.5, {}, {}}).english(), "up to 6.5 mm");
+  EXPECT_EQ(rangeText({"A", Unit::one, 3.0, {}, {}, {}}).english(), "from 3");
 }
 
 TEST(Worksheet, GradesAStenosisPerSide) {

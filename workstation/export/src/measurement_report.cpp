@@ -178,8 +178,9 @@ class RowWriter {
     if (isChosen) tree_.code(kProperty, dcm("121404", "Selection Status"), selectionOf(sheet_.several));
     for (const RangeReading& reading : row.ranges) {
       const std::string& whom = reading.range.applies.english;
-      tree_.text(kProperty, dcm("121407", "Normal Range description"),
-                 rangeText(reading.range) + (whom.empty() ? "" : " (" + whom + ")") + "; " + std::string(wordOf(reading.verdict)));
+      tree_.text(
+          kProperty, dcm("121407", "Normal Range description"),
+          rangeText(reading.range).english() + (whom.empty() ? "" : " (" + whom + ")") + "; " + std::string(wordOf(reading.verdict)));
       if (!reading.range.source.empty()) tree_.text(kProperty, dcm("121408", "Normal Range Authority"), reading.range.source);
     }
     for (const ChartReading& chart : row.charts) {

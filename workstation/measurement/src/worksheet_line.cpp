@@ -53,7 +53,7 @@ std::vector<Message> originOf(const WorksheetRow& row) {
 std::vector<Message> againstOf(const WorksheetRow& row, std::string_view language) {
   std::vector<Message> all;
   for (const RangeReading& reading : row.ranges) {
-    Message verdict = verdictText(reading.verdict), range = numeral(rangeText(reading.range));
+    Message verdict = verdictText(reading.verdict), range = rangeText(reading.range);
     std::string whom = reading.range.applies.in(language);
     all.push_back(whom.empty() ? say<"%1 (usual: %2)">(std::move(verdict), std::move(range))
                                : say<"%1 (usual: %2; %3)">(std::move(verdict), std::move(range), std::move(whom)));

@@ -46,7 +46,8 @@ ordered_json jsonOf(const WorksheetRow& row, std::string_view language) {
   if (!row.expression.empty()) made["expression"] = row.expression;
   if (!row.source.empty()) made["source"] = row.source;
   for (const RangeReading& reading : row.ranges) {
-    ordered_json range = {{"range", rangeText(reading.range)}, {"verdict", wordOf(reading.verdict)}, {"source", reading.range.source}};
+    ordered_json range = {
+        {"range", rangeText(reading.range).english()}, {"verdict", wordOf(reading.verdict)}, {"source", reading.range.source}};
     if (!reading.range.applies.in(language).empty()) range["applies"] = reading.range.applies.in(language);
     made["usual"].push_back(std::move(range));
   }
@@ -83,12 +84,11 @@ std::string_view wordOf(RangeVerdict verdict) {
   return {};
 }
 
-std::string rangeText(const ReferenceRange& range) {
+Message rangeText(const ReferenceRange& range) {
   const std::string unit = range.unit == Unit::one ? "" : " " + std::string(symbolOf(range.unit));
-  std::string text = range.low && range.high ? textOf(*range.low) + " to " + textOf(*range.high)
-                     : range.high            ? "up to " + textOf(*range.high)
-                                             : "from " + textOf(*range.low);
-  return text + unit;
+  const auto number = [](double value) { return numeral(textOf(value)); };
+  if (range.low && range.high) return say<"%1 to %2%3">(number(*range.low), number(*range.high), unit);
+  return range.high ? say<"up to %1%2">(number(*range.high), unit) : say<"from %1%2">(number(*range.low), unit);
 }
 
 std::string howItCameAbout(const WorksheetRow& row) {
@@ -148,7 +148,7 @@ std::string toCsv(const Worksheet& worksheet, std::string_view language) {
            listed(row.ranges,
                   [&](const RangeReading& reading) {
                     const std::string& whom = reading.range.applies.in(language);
-                    return rangeText(reading.range) + (whom.empty() ? "" : " (" + whom + ")");
+                    return rangeText(reading.range).english() + (whom.empty() ? "" : " (" + whom + ")");
                   }),
            listed(row.ranges, [](const RangeReading& reading) { return std::string(wordOf(reading.verdict)); }),
            listed(row.charts, [&](const ChartReading& chart) { return chart.label + " " + number(chart.percentile); }), howItCameAbout(row),

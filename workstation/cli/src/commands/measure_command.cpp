@@ -177,7 +177,7 @@ void print(const Worksheet& sheet, const MeasureArguments& arguments, std::ostre
         line += "; predicts within " + rounded(row.predictionError, 0) + " " + std::string(symbolOf(row.value->unit)) + " (1 SD)";
       for (const RangeReading& reading : row.ranges) {
         const std::string& whom = reading.range.applies.in(arguments.language);
-        line += "; " + std::string(wordOf(reading.verdict)) + " the usual range, " + rangeText(reading.range) +
+        line += "; " + std::string(wordOf(reading.verdict)) + " the usual range, " + rangeText(reading.range).english() +
                 (whom.empty() ? "" : " (" + whom + ")");
       }
       for (const ChartReading& chart : row.charts) line += "; percentile " + rounded(chart.percentile, 1) + " by " + chart.label;

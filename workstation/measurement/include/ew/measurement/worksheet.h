@@ -140,8 +140,8 @@ inline constexpr const char* kTrainingOnly = "Simulation, training only: not for
 /// A line of names, then one line a row, comma separated, quoted where needed (RFC 4180), numbers in the C locale; the last column says
 /// that it is for training only.
 [[nodiscard]] std::string toCsv(const Worksheet& worksheet, std::string_view language = "en");
-/// "9 to 13 cm", "up to 6 mm" or "from 3 mm"; numbers in the C locale.
-[[nodiscard]] std::string rangeText(const ReferenceRange& range);
+/// "9 to 13 cm", "up to 6 mm" or "from 3 mm".
+[[nodiscard]] Message rangeText(const ReferenceRange& range);
 /// One line: "from BPD 8.20 cm, HC 30.00 cm (by HC_DIAMETERS)"; of an item: "measured twice"... in English.
 [[nodiscard]] std::string howItCameAbout(const WorksheetRow& row);
 
