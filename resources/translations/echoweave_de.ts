@@ -7739,6 +7739,10 @@
         <translation>Die Messung ergibt %1, der Termin %2: %3 Tage auseinander, mehr als %4, daher den Termin nach der Messung korrigieren.</translation>
     </message>
     <message>
+        <source>The scan says %1, dates say %2: one day apart, not more than %3, so the dates stay.</source>
+        <translation>Die Messung ergibt %1, der Termin %2: einen Tag auseinander, nicht mehr als %3, daher bleibt der Termin.</translation>
+    </message>
+    <message>
         <source>The scan says %1, dates say %2: %3 days apart, not more than %4, so the dates stay.</source>
         <translation>Die Messung ergibt %1, der Termin %2: %3 Tage auseinander, nicht mehr als %4, daher bleibt der Termin.</translation>
     </message>

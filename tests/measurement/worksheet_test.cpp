@@ -180,6 +180,8 @@ TEST(Worksheet, ReplacesDatesByTheScanOnlyBeyondTheThresholdOfTheAge) {
   EXPECT_EQ(redating("29w0d", late).formula, "GA_BPD_HC_AC_FL");
   EXPECT_EQ(sentenceOf(redating("29w0d", late)).english(),
             "The scan says 32w1d, dates say 29w0d: 22 days apart, more than 21, so the dates are to be replaced by the scan.");
+  EXPECT_EQ(sentenceOf(redating("32w0d", late)).english(),
+            "The scan says 32w1d, dates say 32w0d: one day apart, not more than 21, so the dates stay.");
   EXPECT_EQ(redating("27w6d", late).moreThan_days, 14.0);
   EXPECT_EQ(redating("21w6d", late).moreThan_days, 10.0);
   EXPECT_EQ(redating("15w6d", late).moreThan_days, 7.0);
@@ -200,6 +202,12 @@ TEST(UsualRanges, AreWrittenWithBothEndsOrTheOneThatIsStated) {
   EXPECT_EQ(rangeText({"A", Unit::cm, 9.0, 13.0, {}, {}}).english(), "9 to 13 cm");
   EXPECT_EQ(rangeText({"A", Unit::mm, {}, 6.5, {}, {}}).english(), "up to 6.5 mm");
   EXPECT_EQ(rangeText({"A", Unit::one, 3.0, {}, {}, {}}).english(), "from 3");
+}
+
+TEST(UsualRanges, AreWordsThatTheWindowTranslates) {
+  for (const ReferenceRange& range :
+       {ReferenceRange{"A", Unit::cm, 9.0, 13.0, {}, {}}, {"A", Unit::mm, {}, 6.5, {}, {}}, {"A", Unit::one, 3.0, {}, {}, {}}})
+    EXPECT_NE(rangeText(range).text(), nullptr) << rangeText(range).english();
 }
 
 TEST(Worksheet, GradesAStenosisPerSide) {

@@ -344,6 +344,9 @@ Message sentenceOf(const RedatingReading& reading) {
   if (reading.redate)
     return say<"The scan says %1, dates say %2: %3 days apart, more than %4, so the dates are to be replaced by the scan.">(
         gestationText(reading.scan_weeks), gestationText(reading.dates_weeks), std::abs(reading.difference_days), days);
+  if (std::abs(reading.difference_days) == 1)
+    return say<"The scan says %1, dates say %2: one day apart, not more than %3, so the dates stay.">(
+        gestationText(reading.scan_weeks), gestationText(reading.dates_weeks), days);
   return say<"The scan says %1, dates say %2: %3 days apart, not more than %4, so the dates stay.">(
       gestationText(reading.scan_weeks), gestationText(reading.dates_weeks), std::abs(reading.difference_days), days);
 }
