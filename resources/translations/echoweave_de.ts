@@ -463,10 +463,6 @@
         <translation>Frame Time Vector hat einen Eintrag weniger, als es Bilder gibt; er wurde als Schritte zwischen ihnen gelesen.</translation>
     </message>
     <message>
-        <source>It does say %1.</source>
-        <translation>Sie nennt %1.</translation>
-    </message>
-    <message>
         <source>Of its pixels the file says: %1.</source>
         <translation>Über ihre Bildpunkte sagt die Datei: %1.</translation>
     </message>
@@ -1839,10 +1835,6 @@
         <translation>%1 hat die Farben %2 in %3 Abtastwerten je Pixel, was nicht gelesen wird; als MONOCHROME2 oder RGB exportieren.</translation>
     </message>
     <message>
-        <source>%1 holds %2 packed images or more, but promises %3 frames; export it again.</source>
-        <translation>%1 enthält %2 gepackte Bilder oder mehr, verspricht aber %3; neu exportieren.</translation>
-    </message>
-    <message>
         <source>%1 holds %2 samples, but labels are one 8 bit unsigned number a voxel; export them as such.</source>
         <translation>Die Abtastwerte von %1 sind %2, Labels aber eine Zahl mit 8 Bit ohne Vorzeichen je Voxel; sie so exportieren.</translation>
     </message>
@@ -2767,7 +2759,7 @@
         <translation>16 Zahlen, Schallkopf zu Welt, eine starre 4 × 4-Matrix, Zeile für Zeile, in mm, bei einer Ebene; ohne sie gilt die Ebene dieses Namens beim Patienten</translation>
     </message>
     <message>
-        <source>16 numbers, probe to world, a rigid 4 x 4 matrix row by row, in mm: where an expert has the finding in the picture</source>
+        <source>16 numbers, probe to world, a rigid 4 x 4 matrix row by row, in mm: where an expert has the finding in the image</source>
         <translation>16 Zahlen, Schallkopf zu Welt, eine starre 4 × 4-Matrix, Zeile für Zeile, in mm: wo ein Experte den Befund im Bild hat</translation>
     </message>
     <message>
@@ -2997,10 +2989,6 @@
     <message>
         <source>Comparing movements</source>
         <translation>Bewegungen werden verglichen</translation>
-    </message>
-    <message>
-        <source>Comparing sweeps</source>
-        <translation>Schwenks werden verglichen</translation>
     </message>
     <message>
         <source>Comparing views</source>
@@ -3959,10 +3947,6 @@
         <translation>Die elastische Registrierung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>The equalisation was stopped before it was complete.</source>
-        <translation>Das Angleichen wurde abgebrochen, bevor es vollständig war.</translation>
-    </message>
-    <message>
         <source>The estimate was stopped before it was complete.</source>
         <translation>Das Schätzen wurde abgebrochen, bevor es vollständig war.</translation>
     </message>
@@ -3993,10 +3977,6 @@
     <message>
         <source>The file does not say that it is a recording; each slice was taken for a frame.</source>
         <translation>Die Datei sagt nicht, dass sie eine Aufnahme ist; jede Schicht wurde als ein Bild gelesen.</translation>
-    </message>
-    <message>
-        <source>The file gives no usable times of its frames (Frame Time, Frame Time Vector), so they have none.</source>
-        <translation>Die Datei nennt keine brauchbaren Zeiten ihrer Bilder (Frame Time, Frame Time Vector); sie haben deshalb keine.</translation>
     </message>
     <message>
         <source>The file gives voxel sizes but no orientation; its axes were taken for right, anterior and superior.</source>
@@ -4277,10 +4257,6 @@
     <message>
         <source>The options of the equalisation are out of range; use cells and knots above 0.</source>
         <translation>Die Einstellungen des Angleichens liegen außerhalb ihres Bereichs; Zellen und Knoten über 0 nehmen.</translation>
-    </message>
-    <message>
-        <source>The options of the equalisation are out of range; use cells, knots and steps above 0.</source>
-        <translation>Die Einstellungen des Angleichens liegen außerhalb ihres Bereichs; Zellen, Knoten und Schritte über 0 nehmen.</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is a link to &apos;%2&apos;, a file of another kind; name that file instead.</source>
@@ -4711,10 +4687,6 @@
         <translation>Die Abtastwerte haben %1 Bit: Werte von %2 bis %3 wurden auf 0 bis 255 abgebildet.</translation>
     </message>
     <message>
-        <source>The samples lie as far below 0 as above, as those of radio frequency (RF) lines do; if they are, the grey levels made of them are no brightness: export the B-mode volume instead.</source>
-        <translation>Die Abtastwerte reichen so weit unter 0 wie darüber, wie bei Hochfrequenzzeilen (RF); sind es solche, sind die Grauwerte daraus keine Helligkeit: dann stattdessen das B-Mode-Volumen exportieren.</translation>
-    </message>
-    <message>
         <source>The scan lines are %1, no brightness; convert them to B-mode brightness first.</source>
         <translation>Die Bildzeilen sind %1 statt Helligkeit; sie zuerst in B-Mode-Helligkeit umwandeln.</translation>
     </message>
@@ -5033,10 +5005,6 @@
     <message>
         <source>There are %1 times and %2 poses; give one time for each frame.</source>
         <translation>Es gibt %1 Zeiten und %2 Lagen; zu jedem Bild eine Zeit angeben.</translation>
-    </message>
-    <message>
-        <source>There are fewer than two sweeps to compare; give all sweeps that are to be stitched.</source>
-        <translation>Es sind weniger als zwei Schwenks zu vergleichen; alle Schwenks angeben, die verbunden werden sollen.</translation>
     </message>
     <message>
         <source>There are no threads left to keep watch over %1; close other programs.</source>
@@ -5799,10 +5767,6 @@
         <translation>ein Punkt, mindestens 0,01 mm vom vorigen entfernt</translation>
     </message>
     <message>
-        <source>a point or a plane</source>
-        <translation>ein Punkt oder eine Ebene</translation>
-    </message>
-    <message>
         <source>a point to look at, as the probe is not on the skin</source>
         <translation>ein Punkt, auf den zu blicken ist, da der Schallkopf nicht auf der Haut liegt</translation>
     </message>
@@ -6073,10 +6037,6 @@
     <message>
         <source>an object with the fields of a plugin manifest</source>
         <translation>ein Objekt mit den Feldern der Beschreibung einer Erweiterung</translation>
-    </message>
-    <message>
-        <source>an object with the name of a measurement of the patient</source>
-        <translation>ein Objekt mit dem Namen einer Messung des Patienten</translation>
     </message>
     <message>
         <source>an object with when, kind and findings, each a text</source>
@@ -6351,10 +6311,6 @@
         <translation>ohne Schwenks angegeben</translation>
     </message>
     <message>
-        <source>given, and the case has no recipe whose patient could know their values</source>
-        <translation>angegeben, und der Fall hat kein Rezept, dessen Patient die Werte kennen könnte</translation>
-    </message>
-    <message>
         <source>grey bar</source>
         <translation>Graukeil</translation>
     </message>
@@ -6563,10 +6519,6 @@
         <translation>größer als ein Kubikmeter</translation>
     </message>
     <message>
-        <source>left out</source>
-        <translation>keine Angabe</translation>
-    </message>
-    <message>
         <source>left out, as at most %1 recipes extend one another</source>
         <translation>keine Angabe, denn höchstens %1 Rezepte erweitern einander</translation>
     </message>
@@ -6725,10 +6677,6 @@
     <message>
         <source>no such standard plane</source>
         <translation>keine solche Standardebene</translation>
-    </message>
-    <message>
-        <source>no whole number</source>
-        <translation>keine ganze Zahl</translation>
     </message>
     <message>
         <source>none</source>
@@ -8003,10 +7951,6 @@
         <translation>Das Archiv %1 hat jetzt keinen Platz (%2).</translation>
     </message>
     <message>
-        <source>The archive %1 cannot be asked what it has; what it said it stored is kept in the outbox.</source>
-        <translation>Das Archiv %1 lässt sich nicht fragen, was es hat; was es gespeichert haben will, bleibt im Postausgang.</translation>
-    </message>
-    <message>
         <source>The archive %1 did not say whether it has every object.</source>
         <translation>Das Archiv %1 hat nicht gesagt, ob es jedes Objekt hat.</translation>
     </message>
@@ -8999,7 +8943,7 @@
         <translation>Text: weshalb der Patient kam</translation>
     </message>
     <message>
-        <source>a list of at most 50 pictures inside the case folder, as relative paths such as &quot;media/liver.png&quot;</source>
+        <source>a list of at most 50 images inside the case folder, as relative paths such as &quot;media/liver.png&quot;</source>
         <translation>eine Liste von höchstens 50 Bildern im Ordner des Falls, als relative Pfade wie &quot;media/liver.png&quot;</translation>
     </message>
     <message>
@@ -12934,10 +12878,6 @@
         <translation>Kein Fall ist geöffnet</translation>
     </message>
     <message>
-        <source>Open a case from the start page, from the File menu, or by dropping its folder on the window. Then its patient, texts and volume can be edited here.</source>
-        <translation>Einen Fall auf der Startseite oder im Menü Datei öffnen oder seinen Ordner auf das Fenster ziehen. Dann lassen sich Patient, Texte und Volumen hier bearbeiten.</translation>
-    </message>
-    <message>
         <source>Case</source>
         <translation>Fall</translation>
     </message>
@@ -13004,10 +12944,6 @@
     <message>
         <source>Change the diagnosis</source>
         <translation>Diagnose ändern</translation>
-    </message>
-    <message>
-        <source>Volume in the body</source>
-        <translation>Volumen im Körper</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -14963,10 +14899,6 @@
         <translation>eigener</translation>
     </message>
     <message>
-        <source>Calibration…</source>
-        <translation>Kalibrierung …</translation>
-    </message>
-    <message>
         <source>Spacing of the volume that is made of this sweep; at the least value as fine as its pixels and frames are</source>
         <translation>Voxelabstand des Volumens, das aus diesem Schwenk wird; beim kleinsten Wert so fein wie seine Pixel und Bilder</translation>
     </message>
@@ -15292,10 +15224,6 @@
     <message>
         <source>This is measured in the strip of the M-mode. Switch to B + M or M (M).</source>
         <translation>Das wird im Streifen des M-Mode gemessen. Auf B + M oder M umschalten (M).</translation>
-    </message>
-    <message>
-        <source>Calipers measure in the image, not in the strip of the M-mode. Switch to B or B + M.</source>
-        <translation>Gemessen wird im Bild, nicht im Streifen des M-Modus. Auf B oder B + M umschalten.</translation>
     </message>
     <message>
         <source>This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M.</source>
@@ -18560,6 +18488,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
 </context>
 <context>
     <name>ew::ui::OwnKeys</name>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
     <message>
         <source>Probe</source>
         <translation>Sonde</translation>
@@ -24145,10 +24077,6 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Choose a volume or a sweep</source>
         <translation>Ein Volumen oder einen Schwenk wählen</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Leave out what lies around the fan</source>

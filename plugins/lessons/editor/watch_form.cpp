@@ -213,7 +213,7 @@ void WatchForm::showTake() {
       take_.isOfOpenCase() ? tr("End the recording and keep it in the case") : tr("End the recording and save it in a file");
   stop_->setToolTip(stops);
   stop_->setAccessibleName(stops);
-  length_->setText((take_.isPaused() ? tr("Paused at %1 of at most %2") : tr("\u25cf Recording: %1 of at most %2"))
+  length_->setText((take_.isPaused() ? tr("Paused at %1 of at most %2") : tr("● Recording: %1 of at most %2"))
                        .arg(clockText(take_.length_s()), clockText(kLongestExpertScan_s)));
   pause_->setText(take_.isPaused() ? tr("Go on") : tr("Pause"));
   for (auto* each : {stop_, pause_, discard_, takeMark_}) each->setEnabled(!take_.isKeeping());
