@@ -284,6 +284,29 @@ class AnnotationsTest : public WindowFixture {
     session().probeControl().follow(nullptr);
   }
 
+  void theMarkLeavesResultsToBeRead() {
+    auto* view = find<BodyMarkView>("bodyMark");
+    scanFrom({0.0, -95.0, -60.0}, 0.0);
+    freeze();
+    view->placeIn(0);
+    QVERIFY(scan().resultsRect().isEmpty());
+    window_->calipers().changeIn(Where::image, [](measurement::CaliperDrawing& drawing) {
+      drawing.take(measurement::CaliperKind::distance, {});
+      for (const glm::dvec2 at : {glm::dvec2(-8.0, 50.0), glm::dvec2(9.0, 50.0)}) {
+        drawing.press(at, 1.0);
+        drawing.release(at, 1.0);
+      }
+    });
+    const QRect results = scan().resultsRect();
+    QVERIFY(!results.isEmpty());
+    QVERIFY(scan().rect().contains(results));
+    for (const int corner : {0, 1, 2, 3}) {
+      view->placeIn(corner);
+      QVERIFY2(!view->geometry().intersects(results), qPrintable(QString::number(corner)));
+    }
+    session().probeControl().follow(nullptr);
+  }
+
   void theMarkIsMovedHiddenAndPutByHandOnAFrozenImage() {
     auto* view = find<BodyMarkView>("bodyMark");
     scanFrom({0.0, -95.0, -60.0}, 0.0);

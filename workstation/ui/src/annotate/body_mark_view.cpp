@@ -66,6 +66,7 @@ void BodyMarkView::arrange() {
   if (const QRect strip = scan_.stripRect(); !strip.isEmpty()) room.setBottom(std::min(room.bottom(), strip.top() - kMarkMargin_px));
   std::vector<QRect> taken = scan_.fanRects();
   if (const QRect strip = scan_.stripRect(); !strip.isEmpty()) taken.push_back(strip);
+  taken.push_back(scan_.resultsRect());
   const QRect there = placeOfMark(room, taken, corner_, kMark_px, kLeastMark_px);
   if (there != geometry()) setGeometry(there);
 }

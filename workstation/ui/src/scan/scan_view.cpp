@@ -283,6 +283,12 @@ void ScanView::arrange() {
   Q_EMIT arranged();
 }
 
+void ScanView::setResultsRect(const QRect& rect) {
+  if (resultsRect_ == rect) return;
+  resultsRect_ = rect;
+  Q_EMIT arranged();
+}
+
 void ScanView::setNothing(const QString& sentence) {
   if (nothing_ == sentence) return;
   nothing_ = sentence;

@@ -29,6 +29,9 @@ class ScanView final : public QWidget {
   [[nodiscard]] QRect stripRect() const;
   /// What the fan of the image covers, in widget pixels; all of a wide image. Empty without an image.
   [[nodiscard]] std::vector<QRect> fanRects() const;
+  /// What results of measurements cover, in widget pixels, whatever else lies beside the fan; empty: nothing.
+  void setResultsRect(const QRect& rect);
+  [[nodiscard]] const QRect& resultsRect() const { return resultsRect_; }
   /// Whether the image fills the view, and leaves no black beside it.
   [[nodiscard]] bool isZoomed() const { return mode() != DisplayMode::mMode && session_.imageKnobs().zoom > 1.0; }
   /// Millimetres of tissue that a widget pixel shows; what a drag of the mouse is worth.
@@ -69,7 +72,7 @@ class ScanView final : public QWidget {
   void setRecording(std::optional<double> length_s);
 
  Q_SIGNALS:
-  void arranged();  ///< image and strip may lie elsewhere
+  void arranged();  ///< image, strip and results may lie elsewhere
 
  protected:
   bool event(QEvent* event) override;
@@ -127,6 +130,7 @@ class ScanView final : public QWidget {
   bool soundsLoss_ = false;
   bool isLost_ = false;  ///< as it was told last
   QString said_;
+  QRect resultsRect_;
   QString nothing_;
   QTimer saidLong_;
 };

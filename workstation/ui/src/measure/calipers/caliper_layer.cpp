@@ -49,6 +49,7 @@ bool CaliperLayer::isWanted() const {
 void CaliperLayer::follow() {
   if (isWanted() == isHidden()) return showOrHide();
   if (!isHidden() && geometry() != place()) setGeometry(place());
+  keepResultsClear();
 }
 
 void CaliperLayer::showOrHide() {
@@ -67,7 +68,19 @@ void CaliperLayer::showOrHide() {
   tool_ = drawing.tool();
   if (!tool_ || !calipers_.snaps()) snap_ = {};
   if (isShown && !underMouse()) setCursor(calipers_.drawing().tool() ? Qt::CrossCursor : Qt::ArrowCursor);
+  keepResultsClear();
   update();
+}
+
+/// Beside the sliders.
+QRect CaliperLayer::roomOfResults() const {
+  const int left = std::max(8, DgcColumn::wanted_px() + 8 - x());
+  return {left, 8, width() - left, height() - 16};
+}
+
+void CaliperLayer::keepResultsClear() {
+  if (where_ == Where::image)
+    scan_.setResultsRect(isHidden() ? QRect() : rectOfResults(calipers_, where_, roomOfResults()).translated(pos()));
 }
 
 QPointF CaliperLayer::placeOf(const glm::dvec2& at) const {
@@ -262,8 +275,7 @@ void CaliperLayer::paintEvent(QPaintEvent*) {
   painter.setClipRect(rect());
   paintCalipers(
       painter, calipers_, where_, [this](const glm::dvec2& at) { return placeOf(at); }, colours);
-  const int left = std::max(8, DgcColumn::wanted_px() + 8 - x());  // beside the sliders
-  paintResults(painter, calipers_, where_, QRect(left, 8, width() - left, height() - 16), colours);
+  paintResults(painter, calipers_, where_, roomOfResults(), colours);
   if (cross_ && hasFocus()) {
     for (const auto& [colour, thick] : {std::pair{QColor(Qt::black), 3.0}, std::pair{theme.accent, 1.5}}) {
       painter.setPen(QPen(colour, thick));

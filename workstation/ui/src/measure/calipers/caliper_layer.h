@@ -53,6 +53,8 @@ class CaliperLayer final : public QWidget {
   /// The point that a click there means.
   std::optional<glm::dvec2> meantAt(const QPointF& at, Qt::KeyboardModifiers modifiers);
   bool prepareTool();
+  [[nodiscard]] QRect roomOfResults() const;
+  void keepResultsClear();  ///< of the body mark
   void paintSnap(QPainter& painter);
   void paintHint(QPainter& painter);
   [[nodiscard]] double reach_mm() const;

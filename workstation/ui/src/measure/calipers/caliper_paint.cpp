@@ -204,33 +204,48 @@ QString resultOf(const Calipers::Line& line) {
   return line.measurement.item.empty() ? result : CaliperWords::titleOf(line.measurement) + QStringLiteral("  ") + result;
 }
 
+/// The column of numbers and results, newest last.
+struct ResultColumn {
+  std::vector<Calipers::Line> lines;
+  int number_px = 0, value_px = 0;
+  QRect box;
+};
+
+ResultColumn columnOf(const Calipers& calipers, Where where, const QRect& room) {
+  ResultColumn made;
+  std::copy_if(calipers.lines().begin(), calipers.lines().end(), std::back_inserter(made.lines),
+               [where](const Calipers::Line& line) { return line.where == where; });
+  if (made.lines.empty()) return made;
+  const std::size_t most = static_cast<std::size_t>(std::max(1, (room.height() - 12) / kLine_px));
+  if (made.lines.size() > most) made.lines.erase(made.lines.begin(), made.lines.end() - static_cast<std::ptrdiff_t>(most));
+  const QFontMetrics metrics(smallFont());
+  for (const Calipers::Line& line : made.lines) {
+    made.number_px = std::max(made.number_px, figuresWidth_px(metrics, CaliperWords::numberOf(where, line.measurement.number)));
+    made.value_px = std::max(made.value_px, figuresWidth_px(metrics, resultOf(line)));
+  }
+  made.box = {room.topLeft(), QSize(made.number_px + made.value_px + 8 + 16, static_cast<int>(made.lines.size()) * kLine_px + 8)};
+  return made;
+}
+
 }  // namespace
 
+QRect rectOfResults(const Calipers& calipers, Where where, const QRect& room) { return columnOf(calipers, where, room).box; }
+
 void paintResults(QPainter& painter, const Calipers& calipers, Where where, const QRect& room, const CaliperColours& colours) {
-  std::vector<Calipers::Line> lines;
-  std::copy_if(calipers.lines().begin(), calipers.lines().end(), std::back_inserter(lines),
-               [where](const Calipers::Line& line) { return line.where == where; });
-  const auto numberOf = [&](std::size_t n) { return CaliperWords::numberOf(where, lines[n].measurement.number); };
-  const std::size_t most = static_cast<std::size_t>(std::max(1, (room.height() - 12) / kLine_px));
-  const std::size_t first = lines.size() > most ? lines.size() - most : 0;
-  if (lines.empty()) return;
+  const ResultColumn column = columnOf(calipers, where, room);
+  if (column.lines.empty()) return;
   painter.setFont(smallFont());
-  const QFontMetrics metrics = painter.fontMetrics();
-  int number_px = 0, value_px = 0;
-  for (std::size_t n = first; n < lines.size(); ++n) {
-    number_px = std::max(number_px, figuresWidth_px(metrics, numberOf(n)));
-    value_px = std::max(value_px, figuresWidth_px(metrics, resultOf(lines[n])));
-  }
-  const QRect box(room.topLeft(), QSize(number_px + value_px + 8 + 16, static_cast<int>(lines.size() - first) * kLine_px + 8));
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(0, 0, 0, 170));
-  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.drawRoundedRect(column.box, 4.0, 4.0);
   painter.setBrush(Qt::NoBrush);
-  for (std::size_t n = first; n < lines.size(); ++n) {
-    const int top = box.top() + 4 + static_cast<int>(n - first) * kLine_px;
-    painter.setPen(lines[n].measurement.number == calipers.drawingIn(where).selected() ? colours.chosen : colours.line);
-    drawFigures(painter, QRect(box.left() + 8, top, number_px, kLine_px), Qt::AlignRight, numberOf(n));
-    drawFigures(painter, QRect(box.left() + 16 + number_px, top, value_px, kLine_px), Qt::AlignRight, resultOf(lines[n]));
+  int top = column.box.top() + 4;
+  for (const Calipers::Line& line : column.lines) {
+    painter.setPen(line.measurement.number == calipers.drawingIn(where).selected() ? colours.chosen : colours.line);
+    drawFigures(painter, QRect(column.box.left() + 8, top, column.number_px, kLine_px), Qt::AlignRight,
+                CaliperWords::numberOf(where, line.measurement.number));
+    drawFigures(painter, QRect(column.box.left() + 16 + column.number_px, top, column.value_px, kLine_px), Qt::AlignRight, resultOf(line));
+    top += kLine_px;
   }
 }
 

@@ -28,5 +28,7 @@ void paintCaliper(QPainter& painter, const Calipers::Line& line, const QString& 
 
 /// Numbers and results in a column, on a veil, in the upper left corner of `room`; the newest ones where it is too low for all.
 void paintResults(QPainter& painter, const Calipers& calipers, Where where, const QRect& room, const CaliperColours& colours);
+/// What they cover of `room`; empty where nothing is measured.
+[[nodiscard]] QRect rectOfResults(const Calipers& calipers, Where where, const QRect& room);
 
 }  // namespace ew::ui
