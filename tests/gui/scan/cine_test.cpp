@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QThread>
 #include <QWheelEvent>
 #include <set>
 
@@ -287,6 +288,26 @@ class CineTest : public ConsoleFixture {
     window_->resize(1280, 720);
     QVERIFY(waitUntil([&] { return everythingSeen().size() == was.pixels.size(); }));
     QCOMPARE(everythingSeen(), was.pixels);
+  }
+
+  void aSmallWindowStaysSmallWhileSomethingIsAtWorkBehindIt() {
+    for (int n = 0; n < 2; ++n)
+      window_->jobs().start(QStringLiteral("Counting what is there"),
+                            [](Progress& progress) -> Result<void> {
+                              while (!progress.cancelRequested()) QThread::msleep(1);
+                              return failure(ErrorCode::cancelled, verbatim("It was stopped."));
+                            },
+                            {});
+    const QSize small(1024, 640);
+    window_->resize(small);
+    QVERIFY(waitUntil([this] { return find<QWidget>("jobsLine")->isVisible(); }));
+    QCOMPARE(window_->size(), small);
+    scanAndFreeze(20);
+    QVERIFY(bar().isVisible());
+    QCoreApplication::processEvents();
+    QCOMPARE(window_->size(), small);
+    window_->jobs().cancelAllAndWait();
+    window_->resize(1280, 720);
   }
 
   void itLooksAsItShould() {

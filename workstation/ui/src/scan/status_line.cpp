@@ -7,6 +7,7 @@
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -160,25 +161,32 @@ void StatusLine::setCineShown(bool shown) {
 void StatusLine::showLabels() {
   const bool isCine = isCineShown_ && !staged_ && !idle_;
   const bool ofScan = !staged_ && !idle_ && !isCine;
-  if (cine_ != nullptr) cine_->setVisible(isCine);
-  for (QLabel* label : {static_cast<QLabel*>(position_), lowered_, static_cast<QLabel*>(contact_)}) label->setVisible(ofScan);
-  tracker_->setVisible(ofScan && !tracker_->text().isEmpty());
-  plan_->setVisible(ofScan && forAuthors_);
-  edit_->setVisible(!idle_ && !isCine);
-  note_->setVisible(!idle_ && !isCine);
+  std::vector<std::pair<QWidget*, bool>> shown{{position_, ofScan},
+                                               {lowered_, ofScan},
+                                               {contact_, ofScan},
+                                               {tracker_, ofScan && !tracker_->text().isEmpty()},
+                                               {plan_, ofScan && forAuthors_},
+                                               {edit_, !idle_ && !isCine},
+                                               {note_, !idle_ && !isCine}};
+  if (cine_ != nullptr) shown.emplace_back(cine_, isCine);
+  const auto find = [&shown](const QWidget* widget) -> bool& {
+    return std::find_if(shown.begin(), shown.end(), [widget](const auto& each) { return each.first == widget; })->second;
+  };
   // In a narrow window with large words figures give way: what is cut off says something else.
   const QMargins edges = layout()->contentsMargins();
   int needed_px = edges.left() + edges.right();
-  for (const QWidget* each :
-       {static_cast<const QWidget*>(tracker_), static_cast<const QWidget*>(position_), static_cast<const QWidget*>(plan_),
-        static_cast<const QWidget*>(contact_), static_cast<const QWidget*>(jobs_)})
-    if (each != nullptr && !each->isHidden())
-      needed_px += (each == jobs_ ? each->minimumSizeHint() : each->sizeHint()).width() + layout()->spacing();
-  for (QLabel* each : {static_cast<QLabel*>(plan_), static_cast<QLabel*>(position_), static_cast<QLabel*>(contact_)}) {
-    if (needed_px <= width() || each->isHidden()) continue;
-    each->hide();
+  if (jobs_ != nullptr && !jobs_->isHidden()) needed_px += jobs_->minimumSizeHint().width() + layout()->spacing();
+  for (const QWidget* each : std::initializer_list<const QWidget*>{tracker_, position_, plan_, contact_})
+    if (find(each)) needed_px += each->sizeHint().width() + layout()->spacing();
+  for (const QWidget* each : std::initializer_list<const QWidget*>{plan_, position_, contact_}) {
+    if (needed_px <= width() || !find(each)) continue;
+    find(each) = false;
     needed_px -= each->sizeHint().width() + layout()->spacing();
   }
+  // What is shown asks the window for room at once, and it does not become narrower again: so what goes makes room first.
+  for (const bool now : {false, true})
+    for (const auto& [widget, isShown] : shown)
+      if (isShown == now) widget->setVisible(now);
 }
 
 void StatusLine::showPose() {
