@@ -3,6 +3,8 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTranslator>
 #include <algorithm>
 #include <cmath>
@@ -112,6 +114,32 @@ class CalipersTest : public WindowFixture {
       QCOMPARE(button->text(), CaliperWords::nameOf(kind));
       QVERIFY(!button->icon().isNull());
     }
+  }
+
+  void theirListFitsIntoItsPageInGermanToo() {
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
+    QApplication::installTranslator(&german);
+    cleanup();
+    init();
+    window_->resize(1024, 640);
+    QWidget* page = find<QWidget>("measurePage");
+    window_->findChild<ConsolePanel*>()->showPage(page);
+    take(Qt::Key_4);
+    click({-8.0, 50.0});
+    click({9.0, 50.0});
+    QCOMPARE(count(), std::size_t{1});
+    QVERIFY(page->isVisible());
+    const QScrollArea* scroll = nullptr;
+    for (QWidget* above = page; above != nullptr && scroll == nullptr; above = above->parentWidget())
+      scroll = qobject_cast<QScrollArea*>(above);
+    QVERIFY(scroll != nullptr);
+    QVERIFY(waitUntil([&] { return scroll->horizontalScrollBar()->maximum() == 0; }));
+    for (const char* name : {"removeCaliper", "clearCalipers", "combineMeasurements", "saveMeasurements"}) {
+      const auto* button = find<QPushButton>(name);
+      QVERIFY2(button->width() >= button->minimumSizeHint().width() && button->parentWidget()->rect().contains(button->geometry()), name);
+    }
+    QApplication::removeTranslator(&german);
   }
 
   void theirIconsAreSeenInEitherTheme() {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ew/widgets/figures.h"
+#include "ew/widgets/flow_layout.h"
 #include "ew/widgets/icons.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
@@ -179,9 +180,8 @@ void MeasurePage::addTools(Session& session, QVBoxLayout* rows) {
 
 void MeasurePage::addEdits(QVBoxLayout* rows) {
   edits_ = new QWidget;
-  auto* line = new QHBoxLayout(edits_);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(4);
+  auto* line = new FlowLayout(4);
+  edits_->setLayout(line);
   const auto add = [&](const char* name, const QString& tip, const QString& text, std::function<void()> edit) {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));
@@ -189,7 +189,8 @@ void MeasurePage::addEdits(QVBoxLayout* rows) {
     button->setAccessibleName(tip);
     button->setToolTip(tip);
     connect(button, &QPushButton::clicked, this, std::move(edit));
-    line->addWidget(button, text.isEmpty() ? 0 : 1);
+    if (!text.isEmpty()) button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    line->addWidget(button);
     return button;
   };
   undo_ = add("undoCaliper", tipWithKeys(tr("Undo (%1)"), "undo"), {},

@@ -1,6 +1,5 @@
 #include "measure/results_list.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -8,6 +7,7 @@
 #include <algorithm>
 
 #include "ew/widgets/figures.h"
+#include "ew/widgets/flow_layout.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "keys/key_tips.h"
@@ -36,15 +36,15 @@ ResultsList::ResultsList(Calipers& calipers, QWidget* parent) : QWidget(parent),
   setLook(how_, Look::small);
   how_->setWordWrap(true);
   rows->addWidget(how_);
-  auto* line = new QHBoxLayout;
-  line->setSpacing(4);
+  auto* line = new FlowLayout(4);
   const auto add = [&](const char* name, const QString& text, const QString& tip) {
     auto* button = new QPushButton(text);
     button->setObjectName(QLatin1String(name));
     setLook(button, Look::compact);
     button->setAccessibleName(text);
     button->setToolTip(tip);
-    line->addWidget(button, 1);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    line->addWidget(button);
     return button;
   };
   combine_ = add("combineMeasurements", tr("Combine…"),
