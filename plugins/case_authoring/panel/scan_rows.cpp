@@ -176,7 +176,7 @@ void CasePanel::addProbes(QFormLayout* form) {
     column->addWidget(made);
     (*boxes)[id] = made;
   };
-  for (const auto& [id, name] : names) box(id, words(name));
+  for (const auto& [id, name] : names) box(id, nameOfProbe(name));
   fields_[path] = {[boxes, box, names, hint](const Case& shown) {
                      const auto& listed = shown.probes;
                      for (const std::string& id : listed)
@@ -189,7 +189,7 @@ void CasePanel::addProbes(QFormLayout* form) {
                                                      [&](const auto& one) { return !listed.empty() && one.first == listed.front(); });
                      hint->setText(listed.empty()         ? tr("None is ticked: all may be used.")
                                    : first == names.end() ? QString()
-                                                          : tr("At the start: %1").arg(words(first->second)));
+                                                          : tr("At the start: %1").arg(nameOfProbe(first->second)));
                      hint->setVisible(!hint->text().isEmpty());
                    },
                    addRow(form, tr("Probes"), cell, path)};

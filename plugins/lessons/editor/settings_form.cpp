@@ -116,7 +116,7 @@ class SettingsForm final : public TaskForm {
       if (std::none_of(known.begin(), known.end(), [&](const auto& one) { return one.first == id; }))
         known.emplace_back(id, tr("%1 (not there any more)").arg(words(id)).toStdString());
     for (const auto& [id, name] : known) {
-      auto* box = new QCheckBox(words(name));
+      auto* box = new QCheckBox(nameOfProbe(name));
       box->setObjectName(QStringLiteral("settingsProbe"));
       box->setChecked(std::find(task.probes.begin(), task.probes.end(), id) != task.probes.end());
       probes_->addWidget(box);

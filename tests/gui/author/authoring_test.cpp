@@ -1,6 +1,7 @@
 // An author in the real window: makes cases from a sweep and from nothing, gives a volume, is warned of what looks real, sees what is
 // missing, publishes and exports; a trainee elsewhere imports it. EW_SCREENSHOTS=DIR keeps images of every step.
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QImageReader>
@@ -543,6 +544,17 @@ class AuthoringTest : public WindowFixture {
     keepScreenshot(*window_, "start-page-author");
     (*shown)->click();
     QVERIFY(waitUntil([] { return topLevel("newCaseDialog") != nullptr; }));
+  }
+
+  void probesHaveTheNamesThatTheScanHas() {
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/ew/translations/echoweave_de.qm")));
+    QCoreApplication::installTranslator(&german);
+    showWindow();
+    author(files_.writeCase(QStringLiteral("sonden")));
+    const QString name = inPanel<QCheckBox>("probe_convex-3.5")->text();
+    QCoreApplication::removeTranslator(&german);
+    QCOMPARE(name, QStringLiteral("Konvex 3,5 MHz Abdomen"));
   }
 
   void everythingIsLegibleInGermanInASmallWindowAndInTheLight() {
