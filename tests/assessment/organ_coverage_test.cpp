@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace ew {
@@ -150,6 +151,74 @@ TEST(OrganCoverage, IsTheSameAsAskingEveryVoxel) {
   }
   for (std::size_t v = 0; v < organ->count(); ++v) ASSERT_EQ(coverage.isPassed(v), passed[v]);
   EXPECT_EQ(coverage.passed(), static_cast<std::size_t>(std::count(passed.begin(), passed.end(), true)));
+}
+
+/// Which voxels a frame passes through, each asked by the definition alone.
+std::vector<bool> passedOneByOne(const OrganVoxels& organ, const CoverageOptions& options, const Fan& fan, const Pose& pose,
+                                 const std::vector<float>& gaps_mm) {
+  const double half_mm = 0.5 * std::max(options.thickness_mm, glm::length(organ.grid().spacing_mm));
+  const auto hears = [&](double place) {
+    if (gaps_mm.size() < 2) return gaps_mm.empty() || gaps_mm.front() <= 3.0F;
+    for (std::size_t n = 0; n < gaps_mm.size(); ++n) {
+      const double at = 2.0 * static_cast<double>(n) / static_cast<double>(gaps_mm.size() - 1) - 1.0;
+      if (gaps_mm[n] <= 3.0F && std::abs(place - at) <= options.contactReach + 1e-9) return true;
+    }
+    return false;
+  };
+  std::vector<bool> passed(organ.count(), false);
+  for (std::size_t v = 0; v < organ.count(); ++v) {
+    const glm::dvec3 p = carried(rigidInverse(pose.probeToWorld), glm::dvec3(organ.centres_mm()[v]));
+    const auto place = placeInFan(fan, glm::dvec2(p));
+    passed[v] = std::abs(p.z) <= half_mm && place && hears(*place);
+  }
+  return passed;
+}
+
+Fan fanOf(ProbeKind kind, double radius_mm, double halfAngle_rad) {
+  Fan fan = straightFan();
+  fan.probe.kind = kind;
+  fan.probe.radius_mm = radius_mm;
+  fan.probe.halfAngle_rad = halfAngle_rad;
+  return fan;
+}
+
+/// What is left of the face's contact: all, none said, a part, two parts, nothing.
+std::vector<std::vector<float>> contacts() {
+  std::vector<float> all(17, 1.0F), part(17, 5.0F), ends(17, 1.0F), none(17, 5.0F);
+  std::fill(part.begin() + 4, part.begin() + 9, 3.0F);
+  std::fill(ends.begin() + 3, ends.end() - 2, 4.0F);
+  return {{}, all, part, ends, none, {2.0F}, {9.0F}};
+}
+
+TEST(OrganCoverage, OfEveryKindOfFanIsTheSameAsAskingEveryVoxel) {
+  Volume labels = ball(19.0);
+  Grid oblique = labels.grid;
+  oblique.spacing_mm = {0.9, 1.3, 1.6};
+  const glm::dmat4 turned = glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1.0, -2.0, 0.5)));
+  oblique.directions = glm::dmat3(-turned[0], turned[1], turned[2]);  // left-handed
+  oblique.origin_mm = glm::dvec3(900.0, -300.0, -1200.0) - oblique.directions * (29.5 * oblique.spacing_mm);
+  int some = 0;
+  for (const Grid& placed : {labels.grid, oblique}) {
+    const auto organ = std::make_shared<const OrganVoxels>(labels, placed, kLabel);
+    for (const Fan& fan : {straightFan(), fanOf(ProbeKind::convex, 30.0, 0.5), fanOf(ProbeKind::phased, 0.0, 0.7),
+                           fanOf(ProbeKind::convex, 10.0, 1.3), fanOf(ProbeKind::convex, 10.0, 1.7)})
+      for (const auto& gaps_mm : contacts())
+        for (int n = 0; n < 8; ++n) {
+          glm::dmat4 pose = glm::translate(glm::dmat4(1.0), organ->middle_mm());
+          pose = pose * glm::rotate(glm::dmat4(1.0), 0.8 * n, glm::dvec3(0.0, 1.0, 0.3 * n)) *
+                 glm::rotate(glm::dmat4(1.0), 0.37 * n, glm::dvec3(1.0, 0.0, 0.0));
+          Pose held;
+          held.probeToWorld.matrix = pose * glm::translate(glm::dmat4(1.0), glm::dvec3(3.0 * (n % 3) - 4.0, -6.0 * n, 0.5 * n));
+          OrganCoverage coverage(organ, {2.0});
+          const std::vector<bool> expected = passedOneByOne(*organ, {2.0}, fan, held, gaps_mm);
+          const auto count = static_cast<std::size_t>(std::count(expected.begin(), expected.end(), true));
+          some += count > 0 ? 1 : 0;
+          ASSERT_EQ(coverage.add(fan, held, gaps_mm), count);
+          for (std::size_t v = 0; v < organ->count(); ++v) ASSERT_EQ(coverage.isPassed(v), expected[v]) << v;
+          ASSERT_EQ(coverage.add(fan, held, gaps_mm), 0U);
+        }
+  }
+  EXPECT_GT(some, 200) << "of 560 frames";
 }
 
 TEST(OrganSection, IsTheAreaInTheImageAndAPointInside) {

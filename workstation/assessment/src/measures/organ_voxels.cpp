@@ -88,15 +88,20 @@ OrganVoxels::OrganVoxels(const Volume& labels, const Grid& placed, int label) : 
     for (int j0 = 0; j0 < dims.y; j0 += kBlock)
       for (int i0 = 0; i0 < dims.x; i0 += kBlock) {
         Block block;
+        BlockMask mask;
         block.first = centres_mm_.size();
-        for (int k = k0; k < std::min(k0 + kBlock, dims.z); ++k)
+        for (int k = k0; k < std::min(k0 + kBlock, dims.z); ++k) {
+          const auto layer = static_cast<std::size_t>(k - k0);
+          mask.before[layer] = static_cast<std::uint16_t>(centres_mm_.size() - block.first);
           for (int j = j0; j < std::min(j0 + kBlock, dims.y); ++j)
             for (int i = i0; i < std::min(i0 + kBlock, dims.x); ++i) {
               if (labels.echo[grid_.indexOf(i, j, k)] != label) continue;
               const glm::dvec3 centre = carried(voxelToWorld, glm::dvec3(i, j, k));
               centres_mm_.emplace_back(centre);
               block.middle_mm += centre;
+              mask.layers[layer] |= std::uint64_t{1} << (kBlock * (j - j0) + i - i0);
             }
+        }
         block.end = centres_mm_.size();
         if (block.end == block.first) continue;
         sum += block.middle_mm;
@@ -105,6 +110,8 @@ OrganVoxels::OrganVoxels(const Volume& labels, const Grid& placed, int label) : 
           block.radius_mm = std::max(block.radius_mm, glm::distance(block.middle_mm, glm::dvec3(centres_mm_[n])));
         block.radius_mm += 1e-3;  // centres are kept as float
         blocks_.push_back(block);
+        mask.corner_mm = carried(voxelToWorld, glm::dvec3(i0, j0, k0));
+        masks_.push_back(mask);
       }
   if (!centres_mm_.empty()) middle_mm_ = sum / static_cast<double>(centres_mm_.size());
 }

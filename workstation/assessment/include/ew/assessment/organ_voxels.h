@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
@@ -31,6 +33,12 @@ class OrganVoxels {
     std::size_t first = 0;      ///< in centres_mm()
     std::size_t end = 0;
   };
+  /// Which voxels of a block are the organ's: a bit for each, in 8 layers along k of 8 x 8, i varying fastest.
+  struct BlockMask {
+    glm::dvec3 corner_mm{0.0};  ///< world: the centre of its voxel (0, 0, 0)
+    std::array<std::uint64_t, 8> layers{};
+    std::array<std::uint16_t, 8> before{};  ///< of the organ's voxels in the layers before: they lie in centres_mm() in this order
+  };
 
   OrganVoxels() = default;
   /// @param labels `echo` holds a label for each voxel; the grid is placed in the world
@@ -43,6 +51,8 @@ class OrganVoxels {
   /// Block by block, world.
   [[nodiscard]] const std::vector<glm::vec3>& centres_mm() const { return centres_mm_; }
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
+  /// One for each block.
+  [[nodiscard]] const std::vector<BlockMask>& masks() const { return masks_; }
   [[nodiscard]] const Grid& grid() const { return grid_; }
   /// Mean of the voxels' centres.
   [[nodiscard]] glm::dvec3 middle_mm() const { return middle_mm_; }
@@ -51,6 +61,7 @@ class OrganVoxels {
   Grid grid_;
   std::vector<glm::vec3> centres_mm_;
   std::vector<Block> blocks_;
+  std::vector<BlockMask> masks_;
   glm::dvec3 middle_mm_{0.0};
 };
 
