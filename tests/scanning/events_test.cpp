@@ -17,6 +17,22 @@ TEST(ScanLog, GivesBackEveryStateThatWasAdded) {
   for (std::size_t n = 0; n < states.size(); ++n) ASSERT_EQ(log.frame(n), states[n]) << n;
 }
 
+TEST(ScanLog, GivesAStateIntoOneThatWasAnothers) {
+  ScanLog log;
+  ScanState bare = test::movingState(0);
+  log.add({0.0, ProbeChosen{bare.probe}});
+  log.add({0.0, FrameMade{bare.pose, {}, 1, {}}});  // before any settings and scene
+  for (int n = 1; n < 40; ++n) log.addFrame(test::movingState(n));
+  ScanState state;
+  for (std::size_t step = 1; step <= log.frameCount(); ++step) {
+    const std::size_t n = 7 * step % log.frameCount();
+    log.frame(n, state);
+    ASSERT_EQ(state, log.frame(n)) << n;
+    ASSERT_EQ(state.gaps_mm, log.made(n).gaps_mm) << n;
+    ASSERT_EQ(state.pose, log.made(n).pose) << n;
+  }
+}
+
 TEST(ScanLog, KeepsOnlyWhatChanged) {
   ScanLog log;
   ScanState state = test::movingState(0);

@@ -38,23 +38,32 @@ double ScanLog::begin_s() const { return events_.empty() ? 0.0 : events_.front()
 double ScanLog::end_s() const { return events_.empty() ? 0.0 : events_.back().time_s; }
 
 ScanState ScanLog::frame(std::size_t n) const {
-  EW_EXPECTS(n < frames_.size());
-  const Frame& at = frames_[n];
-  const auto& made = std::get<FrameMade>(events_[at.event].what);
   ScanState state;
+  frame(n, state);
+  return state;
+}
+
+void ScanLog::frame(std::size_t n, ScanState& state) const {
+  const FrameMade& made = this->made(n);
+  const Frame& at = frames_[n];
   state.probe = std::get<ProbeChosen>(events_[at.probe].what).probe;
-  if (at.settings != kNone) {
-    const auto& settings = std::get<SettingsChanged>(events_[at.settings].what);
-    state.knobs = settings.knobs;
-    state.pan = settings.pan;
-  }
-  if (at.scene != kNone) state.scene = std::get<SceneChanged>(events_[at.scene].what).scene;
+  const auto* settings = at.settings != kNone ? &std::get<SettingsChanged>(events_[at.settings].what) : nullptr;
+  state.knobs = settings != nullptr ? settings->knobs : Knobs();
+  state.pan = settings != nullptr ? settings->pan : Pan();
+  if (at.scene != kNone)
+    state.scene = std::get<SceneChanged>(events_[at.scene].what).scene;
+  else
+    state.scene = Scene();
   state.pose = made.pose;
   state.gaps_mm = made.gaps_mm;
   state.time_s = events_[at.event].time_s;
   state.number = made.number;
   state.body = made.body;
-  return state;
+}
+
+const FrameMade& ScanLog::made(std::size_t n) const {
+  EW_EXPECTS(n < frames_.size());
+  return std::get<FrameMade>(events_[frames_[n].event].what);
 }
 
 double ScanLog::frameTime_s(std::size_t n) const {

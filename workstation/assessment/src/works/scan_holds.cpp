@@ -37,7 +37,7 @@ std::vector<Pose> heldPosesOf(const ScanLog& log) {
   std::vector<Pose> poses;
   poses.reserve(log.frameCount());
   for (const FrameDwell& held : heldFramesOf(log)) {
-    Pose pose = log.frame(held.frame).pose;
+    Pose pose = log.made(held.frame).pose;
     pose.time_s = log.frameTime_s(held.frame);
     poses.push_back(pose);
     if (held.seconds <= kRest_s) continue;
@@ -57,7 +57,7 @@ ContactFigures contactOf(const ScanLog& log) {
   double seconds = 0.0, lost_s = 0.0, touching_s = 0.0, pressed_mmS = 0.0;
   bool hasGaps = false;
   for (const FrameDwell& held : heldFramesOf(log)) {
-    const ScanState image = log.frame(held.frame);
+    const FrameMade& image = log.made(held.frame);
     if (image.pose.status != PoseStatus::ok) continue;
     const double share = image.gaps_mm.empty() ? 1.0 : contactShare(image.gaps_mm);
     if (!found.first_s) {

@@ -68,6 +68,10 @@ class ScanLog {
   [[nodiscard]] std::size_t frameCount() const { return frames_.size(); }
   /// All that the n-th frame was made with.
   [[nodiscard]] ScanState frame(std::size_t n) const;
+  /// The same into a state that may be that of another frame: its memory serves again.
+  void frame(std::size_t n, ScanState& state) const;
+  /// What the n-th frame does not have from the events before it.
+  [[nodiscard]] const FrameMade& made(std::size_t n) const;
   [[nodiscard]] double frameTime_s(std::size_t n) const;
   /// The frame that is seen at a moment: the last one made by then, the first one before that. Expects a frame.
   [[nodiscard]] std::size_t frameAt(double time_s) const;
