@@ -228,6 +228,25 @@ TEST_F(MetricsOfAStep, CoverWhatImagesPassThrough) {
   EXPECT_DOUBLE_EQ(*valueOf(of("sweep", all), "coverage"), 100.0);
 }
 
+TEST_F(MetricsOfAStep, AreTheSameWhereTheJudgeHasCountedWhatWasPassed) {
+  const ScanLog part = scanAlong([](double t) { return heldAt(-25.0 + 2.5 * t, 3.0 * t); }, 7.0);
+  const auto ground = world_.ground();
+  auto work = workOf(step("free"), ground->caseOf(step("free")));
+  ASSERT_TRUE(work) << work.error();
+  for (std::size_t n = 0; n < part.frameCount(); ++n) (*work)->see(part.frame(n));
+  const auto passed = (*work)->passedVoxels();
+  ASSERT_TRUE(passed);
+  EXPECT_GT(passed->passed, 0u);
+  EXPECT_LT(passed->passed, passed->of);
+  const StepOutcome outcome;
+  const auto counted = metricsOf({step("free"), outcome, &part, passed}, *ground->caseOf(step("free")), {});
+  ASSERT_TRUE(counted) << counted.error();
+  EXPECT_EQ(*counted, of("free", part)) << "to the last bit";
+  const auto other = metricsOf({step("free"), outcome, &part, PassedVoxels{1, 4}}, *ground->caseOf(step("free")), {});
+  ASSERT_TRUE(other) << other.error();
+  EXPECT_EQ(valueOf(*other, "coverage"), 25.0) << "nothing is counted again";
+}
+
 TEST(Metrics, SayWhatTheyAreAndAreFoundByName) {
   std::set<std::string_view> ids;
   for (const Metric& each : metrics()) {

@@ -64,14 +64,15 @@ class Scoring {
     const auto scan = scanOf(step, *kept);
     if (!scan) return passOn(scan.error());
     StepOutcome outcome = *kept;
-    made.isJudgedAnew = kept->verdict != StepVerdict::skipped && judgeAnew(step, *scan ? &(*scan)->log : nullptr, outcome);
+    const ScanLog* log = *scan ? &(*scan)->log : nullptr;
+    std::optional<PassedVoxels> passed;
+    made.isJudgedAnew = kept->verdict != StepVerdict::skipped && judgeAnew(step, log, outcome, passed);
     made.task = outcome.score;
     made.figures = outcome.figures;
     const auto ground = ground_.caseOf(step);
     if (ground) {
-      const ScanLog* log = *scan ? &(*scan)->log : nullptr;
       if (log != nullptr) made.validShare = validShareOf(*log);
-      auto metrics = metricsOf({step, outcome, log}, *ground, expertOf(step), progress_);
+      auto metrics = metricsOf({step, outcome, log, passed}, *ground, expertOf(step), progress_);
       if (!metrics) return passOn(metrics.error());
       made.metrics = std::move(*metrics);
     }
@@ -94,8 +95,8 @@ class Scoring {
     return std::optional<ScanRecording>();
   }
 
-  /// @return false: as it was judged in the lesson
-  bool judgeAnew(const LessonStep& step, const ScanLog* scan, StepOutcome& outcome) {
+  /// @param passed as the work says; @return false: as it was judged in the lesson
+  bool judgeAnew(const LessonStep& step, const ScanLog* scan, StepOutcome& outcome, std::optional<PassedVoxels>& passed) {
     const auto ground = ground_.caseOf(step);
     if (!ground || !hasAnswer(step, outcome) || (scan == nullptr && needsScan(step.task))) return false;
     const auto work = workOf(step, ground);
@@ -103,8 +104,13 @@ class Scoring {
       score_.notes.push_back(say<"The step '%1' keeps the verdict it had: %2">(step.id, work.error().message));
       return false;
     }
-    for (std::size_t n = 0; scan != nullptr && n < scan->frameCount(); ++n) (*work)->see(scan->frame(n));
+    ScanState image;
+    for (std::size_t n = 0; scan != nullptr && n < scan->frameCount(); ++n) {
+      scan->frame(n, image);
+      (*work)->see(image);
+    }
     outcome.result() = (*work)->judge(outcome.answer);
+    if (scan != nullptr) passed = (*work)->passedVoxels();
     return true;
   }
 

@@ -74,8 +74,11 @@ class FreeWork final : public StepWork {
       Sought one{name, std::nullopt, std::nullopt, std::nullopt};
       for (const ReferencePlane& plane : ground_->truth().planes)
         if (plane.name == name) one.plane = plane;
-      for (const ReferenceStructure& structure : ground_->truth().structures)
-        if (structure.name == name) one.cover.emplace(ground_->organ(structure.label));
+      for (const ReferenceStructure& structure : ground_->truth().structures) {
+        if (structure.name != name) continue;
+        isUnambiguous_ = isUnambiguous_ && !one.cover;
+        one.cover.emplace(ground_->organ(structure.label));
+      }
       sought_.push_back(std::move(one));
     }
   }
@@ -109,6 +112,16 @@ class FreeWork final : public StepWork {
     result.score = sought_.empty() ? 1.0 : static_cast<double>(found) / static_cast<double>(sought_.size());
     return result;
   }
+  [[nodiscard]] std::optional<PassedVoxels> passedVoxels() const override {
+    if (!isUnambiguous_) return std::nullopt;
+    PassedVoxels voxels;
+    for (const Sought& one : sought_) {
+      if (!one.cover) continue;
+      voxels.passed += one.cover->passed();
+      voxels.of += one.cover->of();
+    }
+    return voxels;
+  }
 
  private:
   struct Sought {
@@ -141,6 +154,7 @@ class FreeWork final : public StepWork {
   std::optional<double> begin_s_;
   double end_s_ = 0.0;
   std::vector<Sought> sought_;
+  bool isUnambiguous_ = true;  ///< no two structures have the name of a target
 };
 
 }  // namespace

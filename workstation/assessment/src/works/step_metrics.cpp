@@ -149,23 +149,31 @@ class Figures {
       if (const auto judged = figure("coverage")) return add("coverage", judged);  // it takes long to work out
       names = {sweep->target};
     }
-    if (const auto* free = std::get_if<FreeTask>(&record_.step.task)) names = free->targets;
+    if (const auto* free = std::get_if<FreeTask>(&record_.step.task)) {
+      if (record_.passed) return addCoverage(*record_.passed);
+      names = free->targets;
+    }
     std::vector<OrganCoverage> organs;
     for (const std::string& name : names)
       if (const auto* structure = ofName(ground_.truth().structures, name))
         if (auto voxels = ground_.organ(structure->label); !voxels->empty()) organs.emplace_back(std::move(voxels));
     if (organs.empty()) return;
+    ScanState image;
     for (std::size_t n = 0; n < record_.scan->frameCount(); ++n) {
-      const ScanState image = record_.scan->frame(n);
+      record_.scan->frame(n, image);
       const Fan fan{image.probe, resolvedDepth_mm(image.probe, image.knobs)};
       for (OrganCoverage& organ : organs) organ.add(fan, image.pose, image.gaps_mm);
     }
-    std::size_t passed = 0, of = 0;
+    PassedVoxels voxels;
     for (const OrganCoverage& organ : organs) {
-      passed += organ.passed();
-      of += organ.of();
+      voxels.passed += organ.passed();
+      voxels.of += organ.of();
     }
-    add("coverage", 100.0 * static_cast<double>(passed) / static_cast<double>(of));
+    addCoverage(voxels);
+  }
+
+  void addCoverage(const PassedVoxels& voxels) {
+    if (voxels.of > 0) add("coverage", 100.0 * static_cast<double>(voxels.passed) / static_cast<double>(voxels.of));
   }
 
   void ofSettings() {

@@ -36,6 +36,11 @@ struct LiveFigure {
   bool good = false;
 };
 
+/// Of the voxels of all structures that a step asks for.
+struct PassedVoxels {
+  std::size_t passed = 0, of = 0;
+};
+
 /// The work of one step as it goes on: it sees every image, says how things stand, and judges at the end. No clock, no window. What is
 /// handed in becomes an answer, raw data in the world that an attempt keeps: images and answer are all that judging takes, so that it can
 /// be done again from the recording.
@@ -52,6 +57,8 @@ class StepWork {
   /// Score, figures and remarks, by what was seen and answered; conclude() gives the verdict. @param answer of another kind: counts as
   /// nothing
   [[nodiscard]] virtual StepResult judge(const StepAnswer& answer) const = 0;
+  /// What the images that were seen passed through (OrganCoverage); nothing: it was not looked at.
+  [[nodiscard]] virtual std::optional<PassedVoxels> passedVoxels() const { return std::nullopt; }
 
   /// Judges what is handed in now; the outcome keeps result and answer.
   void hand(const Handed& handed, StepOutcome& outcome) const;
