@@ -8,6 +8,7 @@
 #include "assessment/assessed_world.h"
 #include "ew/assessment/attempt_result.h"
 #include "ew/library/step_answer.h"
+#include "memory_in_use.h"
 
 namespace ew {
 namespace {
@@ -279,6 +280,26 @@ TEST(Assess, GoesOnWhereItWasStopped) {
   const auto all = assess(folders, world.library());
   for (const AttemptAssessment& each : all) EXPECT_TRUE(each.score);
   for (const fs::path& folder : folders) EXPECT_EQ(scoresOf(folder).size(), 1u) << "nothing is scored twice";
+}
+
+TEST(Assess, HandsOverInOrderAndHoldsNoMoreHoweverManyThereAre) {
+  const AssessedWorld world;
+  std::vector<fs::path> folders;
+  for (int n = 0; n < 3; ++n) folders.push_back(world.keep("20261101-10000" + std::to_string(n) + "-aeaeaeae", {{.step = "answer"}}));
+  constexpr std::size_t kMany = 1200;
+  for (std::size_t n = folders.size(); n < kMany; ++n) folders.push_back(folders[n % 3]);
+  std::vector<fs::path> taken;
+  taken.reserve(kMany);
+  std::uint64_t early_bytes = 0, late_bytes = 0;
+  assess(folders, world.library(), {.threads = 1}, noProgress(), [&](const AttemptAssessment& one) {
+    ASSERT_FALSE(one.problem) << *one.problem;
+    taken.push_back(one.folder);
+    if (taken.size() == 100) early_bytes = test::memoryInUse_bytes();
+    if (taken.size() == kMany - 100) late_bytes = test::memoryInUse_bytes();
+  });
+  EXPECT_EQ(taken, folders);
+  constexpr std::uint64_t kLeastAttempt_bytes = sizeof(AttemptAssessment);
+  EXPECT_LT(late_bytes, early_bytes + (kMany - 200) * kLeastAttempt_bytes / 4) << "a thousand attempts later";
 }
 
 TEST(AttemptScores, ComeBackFromTheirFile) {

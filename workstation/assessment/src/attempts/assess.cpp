@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <chrono>
 #include <map>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "ew/assessment/attempt_scoring.h"
 #include "ew/core/parallel.h"
@@ -67,40 +70,73 @@ void scoreOne(AttemptAssessment& one, const Result<std::shared_ptr<const LessonG
   one.score = std::move(*kept);
 }
 
+/// Attempts of any lessons, which are read once each.
+class Assessing {
+ public:
+  Assessing(const fs::path& library, const AssessOptions& options) : library_(library), options_(options) {}
+
+  std::vector<AttemptAssessment> of(std::span<const fs::path> folders, Progress& progress) {
+    PartOfProgress reading(progress, 0.0, 0.2), scoring(progress, 0.2, 1.0);
+    std::vector<AttemptAssessment> all;
+    all.reserve(folders.size());
+    for (const fs::path& folder : folders) all.push_back(read(folder, reading));
+    QuietProgress quiet(scoring);
+    forEachTask(static_cast<int>(all.size()), options_.threads, scoring, say<"Scoring attempts">(), [&](int task) {
+      AttemptAssessment& one = all[static_cast<std::size_t>(task)];
+      if (!one.problem) scoreOne(one, grounds_.at(lessonOf(one.attempt)), options_, quiet);
+    });
+    for (AttemptAssessment& one : all)
+      if (!one.problem && !one.score) one.problem = stoppedBefore();
+    return all;
+  }
+
+ private:
+  AttemptAssessment read(const fs::path& folder, Progress& progress) {
+    AttemptAssessment one;
+    one.folder = folder;
+    if (progress.cancelRequested()) {
+      one.problem = stoppedBefore();
+      return one;
+    }
+    auto kept = AttemptFolder::open(folder);
+    if (!kept) {
+      one.problem = kept.error();
+      return one;
+    }
+    one.attempt = kept->attempt();
+    const LessonName name = lessonOf(one.attempt);
+    if (!grounds_.contains(name)) {
+      progress.report(say<"Reading the lesson '%1'">(one.attempt.lessonId), 0.0);
+      grounds_.emplace(name, lessonGroundOf(one.attempt.caseId, one.attempt.lessonId, one.attempt.lessonContent, library_, progress));
+    }
+    return one;
+  }
+
+  const fs::path& library_;
+  const AssessOptions& options_;
+  Grounds grounds_;
+};
+
 }  // namespace
+
+void assess(const std::vector<fs::path>& folders, const fs::path& library, const AssessOptions& options, Progress& progress,
+            const std::function<void(AttemptAssessment)>& take) {
+  // A thread that is done with a batch waits for the others: of this many each, seldom for long.
+  const std::size_t batch = 32 * static_cast<std::size_t>(threadCount(options.threads));
+  const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(folders.size()); };
+  Assessing assessing(library, options);
+  for (std::size_t first = 0; first < folders.size(); first += batch) {
+    const std::span some = std::span(folders).subspan(first, std::min(batch, folders.size() - first));
+    PartOfProgress part(progress, share(first), share(first + some.size()));
+    for (AttemptAssessment& one : assessing.of(some, part)) take(std::move(one));
+  }
+}
 
 std::vector<AttemptAssessment> assess(const std::vector<fs::path>& folders, const fs::path& library, const AssessOptions& options,
                                       Progress& progress) {
   std::vector<AttemptAssessment> all;
   all.reserve(folders.size());
-  Grounds grounds;
-  PartOfProgress reading(progress, 0.0, 0.2), scoring(progress, 0.2, 1.0);
-  for (const fs::path& folder : folders) {
-    AttemptAssessment& one = all.emplace_back();
-    one.folder = folder;
-    if (reading.cancelRequested()) {
-      one.problem = stoppedBefore();
-      continue;
-    }
-    auto kept = AttemptFolder::open(folder);
-    if (!kept) {
-      one.problem = kept.error();
-      continue;
-    }
-    one.attempt = kept->attempt();
-    const LessonName name = lessonOf(one.attempt);
-    if (!grounds.contains(name)) {
-      reading.report(say<"Reading the lesson '%1'">(one.attempt.lessonId), 0.0);
-      grounds.emplace(name, lessonGroundOf(one.attempt.caseId, one.attempt.lessonId, one.attempt.lessonContent, library, reading));
-    }
-  }
-  QuietProgress quiet(scoring);
-  forEachTask(static_cast<int>(all.size()), options.threads, scoring, say<"Scoring attempts">(), [&](int task) {
-    AttemptAssessment& one = all[static_cast<std::size_t>(task)];
-    if (!one.problem) scoreOne(one, grounds.at(lessonOf(one.attempt)), options, quiet);
-  });
-  for (AttemptAssessment& one : all)
-    if (!one.problem && !one.score) one.problem = stoppedBefore();
+  assess(folders, library, options, progress, [&](AttemptAssessment one) { all.push_back(std::move(one)); });
   return all;
 }
 

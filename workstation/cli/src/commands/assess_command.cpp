@@ -95,28 +95,64 @@ nlohmann::json summaryOf(const AttemptAssessment& one, const std::string& who) {
   return made;
 }
 
-void show(const AttemptAssessment& one, const std::string& who, Run& run) {
-  run.out() << one.folder.filename().string() << "  " << one.attempt.caseId << " " << one.attempt.lessonId << "  " << who << "  ";
-  if (!one.score) {
-    run.out() << "not scored: " << one.problem->sentence() << "\n";
-    return;
-  }
+std::string lineOf(const AttemptAssessment& one, const std::string& who) {
+  const std::string name = one.folder.filename().string() + "  " + one.attempt.caseId + " " + one.attempt.lessonId + "  " + who + "  ";
+  if (!one.score) return name + "not scored: " + one.problem->sentence() + "\n";
   // The score is of the attempt as it is and of the plan that counts: nothing else is needed to say what it amounts to.
   const AttemptResult result = attemptResultOf(one.attempt, nullptr, AssessmentPlan(), one.score);
-  run.out() << percent(*result.score()) << ", " << result.stepsPassed << " of " << counted(result.stepsJudged, "step") << ", "
-            << verdictWord(result).english() << ", " << durationText(result.worked_s).english() << (one.wasUpToDate ? "" : ", scored now")
-            << "\n";
+  return name + percent(*result.score()) + ", " + std::to_string(result.stepsPassed) + " of " + counted(result.stepsJudged, "step") + ", " +
+         verdictWord(result).english() + ", " + durationText(result.worked_s).english() + (one.wasUpToDate ? "" : ", scored now") + "\n";
 }
 
-Result<void> writeScores(const std::vector<AttemptAssessment>& all, const fs::path& folder, Run& run) {
-  for (const AttemptAssessment& one : all)
-    if (one.score)
-      if (auto written =
-              writeFileSafely(run.outputs.staged(folder / (one.folder.filename().string() + ".json")), jsonOf(*one.score).dump(1) + "\n");
-          !written)
-        return written;
-  return {};
-}
+/// What is told of attempts in the end. They themselves are gone by then: there may be thousands.
+class Telling {
+ public:
+  Telling(const AssessArguments& arguments, const Who& who, Run& run) : arguments_(arguments), who_(who), run_(run) {}
+
+  void add(const AttemptAssessment& one) {
+    ++attempts_;
+    fresh_ += one.score && !one.wasUpToDate ? 1 : 0;
+    problems_ += one.problem ? 1 : 0;
+    const std::string who = who_(one.attempt);
+    told_.push_back({lineOf(one, who), summaryOf(one, who).dump(), {}});
+    if (!one.score) return;
+    for (const Message& note : one.score->notes) told_.back().notes.push_back(say<"%1: %2">(one.folder.filename(), note));
+    if (!arguments_.output.empty() && written_) written_ = writeScore(one);
+  }
+  void tell() {
+    run_.report.details["attempts"] = nlohmann::json::array();
+    for (const Told& one : told_) {
+      run_.out() << one.line;
+      run_.report.details["attempts"].push_back(nlohmann::json::parse(one.summary));
+      for (const Message& note : one.notes) run_.remark(note);
+    }
+    run_.report.quality = {
+        {"attempts", attempts_}, {"scored_now", fresh_}, {"up_to_date", attempts_ - fresh_ - problems_}, {"not_scored", problems_}};
+  }
+  /// Of the copies of scores.
+  [[nodiscard]] const Result<void>& written() const { return written_; }
+  [[nodiscard]] std::size_t attempts() const { return attempts_; }
+  [[nodiscard]] std::size_t fresh() const { return fresh_; }
+  [[nodiscard]] std::size_t problems() const { return problems_; }
+
+ private:
+  struct Told {
+    std::string line;
+    std::string summary;  ///< JSON, a tenth of what its values take
+    std::vector<Message> notes;
+  };
+  [[nodiscard]] Result<void> writeScore(const AttemptAssessment& one) const {
+    const fs::path file = fs::path(arguments_.output) / (one.folder.filename().string() + ".json");
+    return writeFileSafely(run_.outputs.staged(file), jsonOf(*one.score).dump(1) + "\n");
+  }
+
+  const AssessArguments& arguments_;
+  const Who& who_;
+  Run& run_;
+  std::vector<Told> told_;
+  Result<void> written_;
+  std::size_t attempts_ = 0, fresh_ = 0, problems_ = 0;
+};
 
 bool hasReports(const AssessArguments& arguments) { return !arguments.html.empty() || !arguments.pdf.empty() || !arguments.csv.empty(); }
 
@@ -168,10 +204,7 @@ Result<void> announce(const AssessArguments& arguments, const std::vector<fs::pa
   return {};
 }
 
-Result<void> writeOutputs(const AssessArguments& arguments, const std::vector<AttemptAssessment>& all, const std::vector<fs::path>& folders,
-                          const fs::path& library, Run& run) {
-  if (!arguments.output.empty())
-    if (auto written = writeScores(all, arguments.output, run); !written) return written;
+Result<void> writeReportFiles(const AssessArguments& arguments, const std::vector<fs::path>& folders, const fs::path& library, Run& run) {
   if (!arguments.dicom.empty()) {
     const auto count = writeDicom(arguments, folders, library, run);
     if (!count) return passOn(count.error());
@@ -196,34 +229,25 @@ Result<int> assessAll(const AssessArguments& arguments, Run& run) {
   if (auto announced = announce(arguments, *folders, library, run); !announced) return passOn(announced.error());
   const auto who = Who::of(library, arguments.names);
   if (!who) return passOn(who.error());
-  const auto all = [&] {
+  Telling telling(arguments, *who, run);
+  {
     const StepClock clock(run.report, "score");
-    return assess(*folders, library, arguments.options, run.progress);
-  }();
+    assess(*folders, library, arguments.options, run.progress, [&](const AttemptAssessment& one) { telling.add(one); });
+  }
   if (run.progress.cancelRequested()) return failure(ErrorCode::cancelled, run.stopped);
   run.progress.clear();
-  std::size_t fresh = 0, problems = 0;
-  run.report.details["attempts"] = nlohmann::json::array();
-  for (const AttemptAssessment& one : all) {
-    fresh += one.score && !one.wasUpToDate ? 1 : 0;
-    problems += one.problem ? 1 : 0;
-    const std::string name = (*who)(one.attempt);
-    show(one, name, run);
-    run.report.details["attempts"].push_back(summaryOf(one, name));
-    if (one.score)
-      for (const Message& note : one.score->notes) run.remark(say<"%1: %2">(one.folder.filename(), note));
-  }
+  telling.tell();
   run.report.options = {{"threads", arguments.options.threads}, {"again", arguments.options.again}, {"names", arguments.names}};
-  run.report.quality = {
-      {"attempts", all.size()}, {"scored_now", fresh}, {"up_to_date", all.size() - fresh - problems}, {"not_scored", problems}};
-  if (auto written = writeOutputs(arguments, all, *folders, library, run); !written) return passOn(written.error());
-  run.say("Scored " + counted(fresh, "attempt") + " now; " + std::to_string(all.size() - fresh - problems) + " were up to date.");
-  if (problems == 0) return kDone;
+  if (!telling.written()) return passOn(telling.written().error());
+  if (auto written = writeReportFiles(arguments, *folders, library, run); !written) return passOn(written.error());
+  const std::size_t upToDate = telling.attempts() - telling.fresh() - telling.problems();
+  run.say("Scored " + counted(telling.fresh(), "attempt") + " now; " + std::to_string(upToDate) + " were up to date.");
+  if (telling.problems() == 0) return kDone;
   run.out() << std::flush;
-  return run.answer(
-      {ErrorCode::notReadable,
-       say<"%1 of %2 could not be scored; the lines above say why.">(counted(problems, "attempt"), std::to_string(all.size())),
-       {}});
+  return run.answer({ErrorCode::notReadable,
+                     say<"%1 of %2 could not be scored; the lines above say why.">(counted(telling.problems(), "attempt"),
+                                                                                   std::to_string(telling.attempts())),
+                     {}});
 }
 
 }  // namespace

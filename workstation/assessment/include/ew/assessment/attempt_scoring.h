@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -61,10 +62,15 @@ struct AttemptAssessment {
 };
 
 /// Scores attempts of any lessons and keeps a new score where something that goes into it has changed; scores that are up to date are read.
-/// Stopped at any moment, what was scored stays, and the next call goes on after it. Memory: the recordings of as many attempts as there
-/// are threads, and the labels of the cases.
+/// Stopped at any moment, what was scored stays, and the next call goes on after it. Memory, however many attempts there are: those of one
+/// batch, the recordings of as many as there are threads, and the labels of the cases.
 /// @param folders of attempts
-/// @return one entry for each folder, in their order; when cancelled, those not reached have the problem `cancelled`
+/// @param take gets one assessment for each folder, in their order, on the caller's thread; when cancelled, those not reached have the
+///             problem `cancelled`
+void assess(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& library, const AssessOptions& options,
+            Progress& progress, const std::function<void(AttemptAssessment)>& take);
+
+/// The same, all of them together.
 [[nodiscard]] std::vector<AttemptAssessment> assess(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& library,
                                                     const AssessOptions& options = {}, Progress& progress = noProgress());
 
