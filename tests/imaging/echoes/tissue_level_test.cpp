@@ -158,8 +158,8 @@ TEST(TissueLevel, CostsByTheNumberOfVoxelsHoweverFineTheyAre) {
   LevelOptions options = plain();
   options.threads = 1;
   for (const double spacing_mm : {0.3, 0.1, 0.04, 0.013})
-    EXPECT_LT(levelForecast_bytes(volumeOf({92, 92, 92}, spacing_mm).grid, options), 400u << 20) << spacing_mm;
-  EXPECT_LT(levelForecast_bytes(volumeOf({92, 92, 92}, 0.013).grid, options), 64u << 20);
+    EXPECT_LT(levelForecast_bytes(volumeOf({92, 92, 92}, spacing_mm).grid, options), 64u << 20) << spacing_mm;
+  EXPECT_LT(levelForecast_bytes(volumeOf({92, 92, 92}, 0.013).grid, options), 4u << 20);
 
   // A step between two tissues 3 mm wide each, in voxels of 0.05 mm: where it is and as bright as they are.
   std::mt19937 random(5);

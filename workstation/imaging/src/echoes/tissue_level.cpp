@@ -52,57 +52,78 @@ glm::ivec3 reachOf(const Kernels& kernels) {
   return {static_cast<int>(kernels[0].size()) - 1, static_cast<int>(kernels[1].size()) - 1, static_cast<int>(kernels[2].size()) - 1};
 }
 
-/// Values of a block and its neighbourhood, i fastest.
+/// Values of a box of voxels, i fastest.
 using Field = std::vector<float>;
 /// Whether somebody cancelled: what is left then is not looked at.
 using Stopped = std::function<bool()>;
 
-/// One axis of a Gaussian: sums run over the same neighbours in the same order wherever a voxel lies in its block.
-void smoothAlong(std::size_t axis, const std::vector<float>& kernel, const glm::ivec3& size, const Stopped& stopped, const Field& in,
-                 Field& out) {
-  const std::ptrdiff_t row = size.x, slice = row * size.y;
-  const int reach = static_cast<int>(kernel.size()) - 1;
-  const int length = size[static_cast<int>(axis)];
-  const std::ptrdiff_t step = axis == 0 ? 1 : axis == 1 ? row : slice;
-  for (int k = 0; k < size.z && !stopped(); ++k)
-    for (int j = 0; j < size.y; ++j) {
-      const std::ptrdiff_t first = k * slice + j * row;
-      float* to = out.data() + first;
-      std::fill(to, to + row, 0.0F);
-      const int at = axis == 1 ? j : k;
-      for (int t = -reach; t <= reach; ++t) {
-        const float weight = kernel[static_cast<std::size_t>(std::abs(t))];
-        int begin = 0, end = size.x;
-        if (axis == 0) {
-          begin = std::max(0, -t);
-          end = std::min(size.x, size.x - t);
-        } else if (at + t < 0 || at + t >= length) {
-          continue;
-        }
-        const float* from = in.data() + first + t * step;
-        for (int i = begin; i < end; ++i) to[i] += weight * from[i];
-      }
-    }
-}
+/// Of a voxel: its grey, or that it has no data.
+using Code = std::uint16_t;
+constexpr Code kNoData = 256;
+using ValueOfCode = std::array<float, kNoData + 1>;
+
+/// Three boxes within one another, in voxels that count: the block whose level is made, what its wide sums reach, and what the narrow sums
+/// of that reach. A field is as large as the box it is asked for in.
+struct Boxes {
+  glm::ivec3 inner{0};   ///< sizes
+  glm::ivec3 middle{0};  ///< the inner one and what the wide Gaussian reaches around it
+  glm::ivec3 outer{0};   ///< the middle one and what the narrow Gaussian reaches around it
+};
 
 /// What one thread needs for a block.
 struct Scratch {
-  Field weight, power, decibels;              ///< of the voxels with data: 1, power, decibels below full white
-  Field wideWeight, widePower, wideDecibels;  ///< their Gaussian sums
-  Field narrowWeight, narrowDecibels;
-  Field narrow, square, rest;           ///< the narrow mean, its square, and what a voxel differs from it, squared
-  Field narrowSum, squareSum, restSum;  ///< their wide sums
-  Field between;
-  Field seen;  ///< the level of voxels that count; below 0 where nothing is near
+  std::vector<Code> codes;                    ///< outer
+  Field narrowWeight, narrowDecibels;         ///< middle: narrow sums of the voxels with data, 1 each and in decibels
+  Field wideWeight, widePower, wideDecibels;  ///< inner: wide sums of the same, and of their power
+  Field narrowSum, squareSum, restSum;        ///< inner: wide sums of the narrow mean, its square, what a voxel is off, squared
+  Field seen;                                 ///< inner: the level of voxels that count; below 0 where nothing is near
+  Field row, plane, planes;                   ///< of a sum on its way: a row, summed along i, and along j
   std::vector<std::uint8_t> level;
-
-  static constexpr std::uint64_t kFields = 16;
-  void resize(std::size_t voxels) {
-    for (Field* each : {&weight, &power, &decibels, &wideWeight, &widePower, &wideDecibels, &narrowWeight, &narrowDecibels, &narrow,
-                        &square, &rest, &narrowSum, &squareSum, &restSum, &between, &seen})
-      each->resize(voxels);
-  }
 };
+
+/// Bytes of all of it. @param block voxels whose level is made
+std::uint64_t scratchBytes(const Boxes& boxes, const glm::ivec3& block) {
+  const std::uint64_t inner = samplesIn(boxes.inner), middle = samplesIn(boxes.middle), outer = samplesIn(boxes.outer);
+  const auto plane = static_cast<std::uint64_t>(boxes.middle.x) * static_cast<std::uint64_t>(boxes.outer.y);
+  const std::uint64_t planes = samplesIn({boxes.middle.x, boxes.middle.y, boxes.outer.z});
+  return outer * sizeof(Code) + (7 * inner + 2 * middle + planes + plane + static_cast<std::uint64_t>(boxes.outer.x)) * sizeof(float) +
+         samplesIn(block);
+}
+
+/// Adds neighbours by their weights, in the same order wherever a voxel lies: out[i] is the sum over t of kernel * in[i + t * step].
+/// @param in the farthest neighbour in front of the first value
+void addNeighbours(const std::vector<float>& kernel, const float* in, std::ptrdiff_t step, int count, float* out) {
+  const int reach = static_cast<int>(kernel.size()) - 1;
+  std::fill_n(out, count, 0.0F);
+  for (int t = -reach; t <= reach; ++t) {
+    const float weight = kernel[static_cast<std::size_t>(std::abs(t))];
+    const float* from = in + (t + reach) * step;
+    for (int i = 0; i < count; ++i) out[i] += weight * from[i];
+  }
+}
+
+/// A Gaussian sum of what `rowOf` has of a box, at the voxels of the box in it that the kernels reach around: along i, then j, then k.
+/// @param rowOf (j, k, row) fills a row of the box of `size`
+template <class RowOf>
+void smooth(const Kernels& kernels, const glm::ivec3& size, const Stopped& stopped, const RowOf& rowOf, Scratch& mine, Field& out) {
+  const glm::ivec3 reach = reachOf(kernels), made = size - 2 * reach;
+  mine.row.resize(static_cast<std::size_t>(size.x));
+  mine.plane.resize(samplesIn({made.x, size.y, 1}));
+  mine.planes.resize(samplesIn({made.x, made.y, size.z}));
+  out.resize(samplesIn(made));
+  const std::ptrdiff_t row = made.x, slice = row * made.y;
+  for (int k = 0; k < size.z && !stopped(); ++k) {
+    for (int j = 0; j < size.y; ++j) {
+      rowOf(j, k, mine.row.data());
+      addNeighbours(kernels[0], mine.row.data(), 1, made.x, mine.plane.data() + j * row);
+    }
+    for (int j = 0; j < made.y; ++j)
+      addNeighbours(kernels[1], mine.plane.data() + j * row, row, made.x, mine.planes.data() + k * slice + j * row);
+  }
+  for (int k = 0; k < made.z && !stopped(); ++k)
+    for (int j = 0; j < made.y; ++j)
+      addNeighbours(kernels[2], mine.planes.data() + k * slice + j * row, slice, made.x, out.data() + k * slice + j * row);
+}
 
 class Leveller {
  public:
@@ -112,96 +133,153 @@ class Leveller {
         gain_db_(options.gain_db),
         stride_(strideOf(echo.grid, options.sigma_mm)),
         wide_(kernelsOf(echo.grid, options.sigma_mm, stride_)),
-        narrow_(kernelsOf(echo.grid, kNarrow * options.sigma_mm, stride_)),
-        halo_(reachOf(wide_) + reachOf(narrow_)) {
+        narrow_(kernelsOf(echo.grid, kNarrow * options.sigma_mm, stride_)) {
     const std::array<float, 256> shown = levelsShownAs(options.shownWith);
+    weight_.fill(1.0F);
     for (std::size_t grey = 0; grey < 256; ++grey) {
       const double below_db = (static_cast<double>(shown[grey]) / 255.0 - 1.0) * options.recordedDynamicRange_db;
       decibels_[grey] = static_cast<float>(below_db);
       power_[grey] = static_cast<float>(std::pow(10.0, 0.1 * below_db));
     }
+    weight_[kNoData] = decibels_[kNoData] = power_[kNoData] = 0.0F;
+  }
+
+  [[nodiscard]] std::uint64_t bytesFor(const glm::ivec3& block) const {
+    // A block that begins between voxels that count meets one more of them.
+    const glm::ivec3 inner = glm::mix((block + stride_ - 1) / stride_ + 1, block, glm::equal(stride_, glm::ivec3(1)));
+    return scratchBytes(boxesAround(inner), block);
   }
 
   /// Leaves the level of a block in `mine`, unless it was stopped.
   void make(const glm::ivec3& corner, const glm::ivec3& size, const Stopped& stopped, Scratch& mine) const {
     // Voxels that count lie at multiples of the stride, whatever block is made, and reach around the block.
     const glm::ivec3 first = corner / stride_, last = (corner + size - 1 + stride_ - 1) / stride_;
-    const glm::ivec3 from = first - halo_, padded = last - first + 1 + 2 * halo_;
-    mine.resize(samplesIn(padded));
-    take(from, padded, mine);
-    const auto sum = [&](const Kernels& kernels, const Field& in, Field& out) {
-      smoothAlong(0, kernels[0], padded, stopped, in, out);
-      smoothAlong(1, kernels[1], padded, stopped, out, mine.between);
-      smoothAlong(2, kernels[2], padded, stopped, mine.between, out);
-    };
-    sum(wide_, mine.weight, mine.wideWeight);
-    sum(wide_, mine.power, mine.widePower);
-    sum(wide_, mine.decibels, mine.wideDecibels);
-    sum(narrow_, mine.weight, mine.narrowWeight);
-    sum(narrow_, mine.decibels, mine.narrowDecibels);
+    const Boxes boxes = boxesAround(last - first + 1);
+    take(first - reachOf(wide_) - reachOf(narrow_), boxes.outer, mine);
+    sumNarrowly(boxes, stopped, mine);
     if (stopped()) return;
-    for (std::size_t n = 0; n < mine.weight.size(); ++n) {
-      mine.narrow[n] = mine.weight[n] > 0.0F ? mine.narrowDecibels[n] / mine.narrowWeight[n] : 0.0F;
-      mine.square[n] = mine.narrow[n] * mine.narrow[n];
-      const float off = mine.decibels[n] - mine.narrow[n];
-      mine.rest[n] = off * off;
-    }
-    sum(wide_, mine.narrow, mine.narrowSum);
-    sum(wide_, mine.square, mine.squareSum);
-    sum(wide_, mine.rest, mine.restSum);
+    sumWidely(boxes, stopped, mine);
     if (stopped()) return;
-    write(corner, size, from, padded, mine);
+    write(corner, size, first, boxes, mine);
   }
 
  private:
+  [[nodiscard]] Boxes boxesAround(const glm::ivec3& inner) const {
+    const glm::ivec3 middle = inner + 2 * reachOf(wide_);
+    return {inner, middle, middle + 2 * reachOf(narrow_)};
+  }
+
   void take(const glm::ivec3& from, const glm::ivec3& size, Scratch& mine) const {
     const Grid& grid = echo_.grid;
+    mine.codes.resize(samplesIn(size));
     std::size_t to = 0;
     for (int k = 0; k < size.z; ++k)
       for (int j = 0; j < size.y; ++j)
         for (int i = 0; i < size.x; ++i, ++to) {
           const glm::ivec3 at = stride_ * (from + glm::ivec3(i, j, k));
-          mine.weight[to] = mine.power[to] = mine.decibels[to] = 0.0F;
+          mine.codes[to] = kNoData;
           if (!grid.contains(at)) continue;
           const std::size_t index = grid.indexOf(at.x, at.y, at.z);
           const std::uint8_t grey = echo_.data[index];
           const bool hasData = coverage_.empty() ? grey > 0 : coverage_[index] != static_cast<std::uint8_t>(Coverage::absent);
-          if (!hasData) continue;
-          mine.weight[to] = 1.0F;
-          mine.power[to] = power_[grey];
-          mine.decibels[to] = decibels_[grey];
+          if (hasData) mine.codes[to] = grey;
         }
   }
 
-  /// @param from, padded the voxels that count, of which `mine` knows the sums
-  void write(const glm::ivec3& corner, const glm::ivec3& size, const glm::ivec3& from, const glm::ivec3& padded, Scratch& mine) const {
+  void sumNarrowly(const Boxes& boxes, const Stopped& stopped, Scratch& mine) const {
+    const auto sum = [&](const ValueOfCode& values, Field& out) {
+      const auto rowOf = [&](int j, int k, float* row) {
+        const Code* from = mine.codes.data() + sampleIndex(boxes.outer, 0, j, k);
+        for (int i = 0; i < boxes.outer.x; ++i) row[i] = values[from[i]];
+      };
+      smooth(narrow_, boxes.outer, stopped, rowOf, mine, out);
+    };
+    sum(weight_, mine.narrowWeight);
+    sum(decibels_, mine.narrowDecibels);
+  }
+
+  void sumWidely(const Boxes& boxes, const Stopped& stopped, Scratch& mine) const {
+    const glm::ivec3 margin = reachOf(narrow_);
+    // Fills a row of the middle box with a value of each voxel, of its code and its narrow mean.
+    const auto sum = [&](const auto& valueOf, Field& out) {
+      const auto rowOf = [&](int j, int k, float* row) {
+        const Code* codes = mine.codes.data() + sampleIndex(boxes.outer, margin.x, j + margin.y, k + margin.z);
+        const std::size_t at = sampleIndex(boxes.middle, 0, j, k);
+        for (int i = 0; i < boxes.middle.x; ++i) row[i] = valueOf(codes[i], at + static_cast<std::size_t>(i));
+      };
+      smooth(wide_, boxes.middle, stopped, rowOf, mine, out);
+    };
+    const auto meanAt = [&](Code code, std::size_t n) { return code != kNoData ? mine.narrowDecibels[n] / mine.narrowWeight[n] : 0.0F; };
+    sum([&](Code code, std::size_t) { return weight_[code]; }, mine.wideWeight);
+    sum([&](Code code, std::size_t) { return power_[code]; }, mine.widePower);
+    sum([&](Code code, std::size_t) { return decibels_[code]; }, mine.wideDecibels);
+    sum(meanAt, mine.narrowSum);
+    sum(
+        [&](Code code, std::size_t n) {
+          const float mean = meanAt(code, n);
+          return mean * mean;
+        },
+        mine.squareSum);
+    sum(
+        [&](Code code, std::size_t n) {
+          const float off = decibels_[code] - meanAt(code, n);
+          return off * off;
+        },
+        mine.restSum);
+  }
+
+  /// @param first voxel that counts of the inner box
+  void write(const glm::ivec3& corner, const glm::ivec3& size, const glm::ivec3& first, const Boxes& boxes, Scratch& mine) const {
     mine.level.resize(samplesIn(size));
-    const auto placeOf = [&](const glm::ivec3& at) { return sampleIndex(padded, at.x, at.y, at.z); };
+    const glm::ivec3 toMiddle = reachOf(wide_), toOuter = toMiddle + reachOf(narrow_);
+    const auto placeOf = [&](const glm::ivec3& at) {
+      const glm::ivec3 middle = at + toMiddle, outer = at + toOuter;
+      return Place{sampleIndex(boxes.inner, at.x, at.y, at.z), sampleIndex(boxes.middle, middle.x, middle.y, middle.z),
+                   sampleIndex(boxes.outer, outer.x, outer.y, outer.z)};
+    };
     const bool isEach = stride_ == glm::ivec3(1);
-    if (!isEach)
-      for (std::size_t n = 0; n < mine.seen.size(); ++n)  // what only the wide Gaussian reaches is too far to tell
-        mine.seen[n] = mine.wideWeight[n] > 0.0F && mine.narrowWeight[n] > 0.0F ? seenAt(n, mine) : -1.0F;
+    if (!isEach) seeAll(boxes, placeOf, mine);
     std::size_t to = 0;
     for (int k = 0; k < size.z; ++k)
       for (int j = 0; j < size.y; ++j)
         for (int i = 0; i < size.x; ++i, ++to) {
-          const glm::ivec3 voxel = corner + glm::ivec3(i, j, k), before = voxel / stride_ - from;
-          const std::size_t n = placeOf(before);
+          const glm::ivec3 voxel = corner + glm::ivec3(i, j, k), before = voxel / stride_ - first;
+          const Place at = placeOf(before);
           const bool isThere =
-              isEach || !coverage_.empty() ? hasLevel(voxel, n, mine) : hasGrey(voxel) || mine.narrowWeight[n] >= kLeastShare;
-          mine.level[to] = !isThere ? std::uint8_t{0} : isEach ? levelOfSeen(seenAt(n, mine)) : levelBetween(voxel, before, placeOf, mine);
+              isEach || !coverage_.empty() ? hasLevel(voxel, at, mine) : hasGrey(voxel) || mine.narrowWeight[at.middle] >= kLeastShare;
+          mine.level[to] = !isThere ? std::uint8_t{0}
+                           : isEach ? levelOfSeen(seenAt(at, mine))
+                                    : levelBetween(voxel, before, boxes.inner, mine);
+        }
+  }
+
+  /// Of a voxel in the fields of each box.
+  struct Place {
+    std::size_t inner, middle, outer;
+  };
+
+  template <class PlaceOf>
+  void seeAll(const Boxes& boxes, const PlaceOf& placeOf, Scratch& mine) const {
+    mine.seen.resize(samplesIn(boxes.inner));
+    for (int k = 0; k < boxes.inner.z; ++k)
+      for (int j = 0; j < boxes.inner.y; ++j)
+        for (int i = 0; i < boxes.inner.x; ++i) {
+          const Place at = placeOf({i, j, k});
+          // What only the wide Gaussian reaches is too far to tell.
+          const bool isNear = mine.wideWeight[at.inner] > 0.0F && mine.narrowWeight[at.middle] > 0.0F;
+          mine.seen[at.inner] = isNear ? seenAt(at, mine) : -1.0F;
         }
   }
 
   [[nodiscard]] bool hasGrey(const glm::ivec3& voxel) const { return echo_.data[echo_.grid.indexOf(voxel.x, voxel.y, voxel.z)] > 0; }
-  [[nodiscard]] bool hasLevel(const glm::ivec3& voxel, std::size_t n, const Scratch& mine) const {
-    return coverage_.empty() ? mine.weight[n] > 0.0F || mine.narrowWeight[n] >= kLeastShare
+  [[nodiscard]] bool hasLevel(const glm::ivec3& voxel, const Place& at, const Scratch& mine) const {
+    return coverage_.empty() ? mine.codes[at.outer] != kNoData || mine.narrowWeight[at.middle] >= kLeastShare
                              : coverage_[echo_.grid.indexOf(voxel.x, voxel.y, voxel.z)] != 0;
   }
 
   /// Of a voxel between those that count: the mean of its eight neighbours that know, by how near they are.
-  template <class PlaceOf>
-  [[nodiscard]] std::uint8_t levelBetween(const glm::ivec3& voxel, const glm::ivec3& before, const PlaceOf& placeOf,
+  /// @param before it, in the inner box of this size
+  [[nodiscard]] std::uint8_t levelBetween(const glm::ivec3& voxel, const glm::ivec3& before, const glm::ivec3& inner,
                                           const Scratch& mine) const {
     const glm::vec3 off = glm::vec3(voxel % stride_) / glm::vec3(stride_);
     float sum = 0.0F, weights = 0.0F;
@@ -210,7 +288,8 @@ class Leveller {
       const glm::vec3 share = glm::mix(1.0F - off, off, glm::vec3(next));
       const float weight = share.x * share.y * share.z;
       if (weight <= 0.0F) continue;
-      const float seen = mine.seen[placeOf(before + next)];
+      const glm::ivec3 at = before + next;
+      const float seen = mine.seen[sampleIndex(inner, at.x, at.y, at.z)];
       if (seen < 0.0F) continue;
       sum += weight * seen;
       weights += weight;
@@ -221,8 +300,9 @@ class Leveller {
   [[nodiscard]] static std::uint8_t levelOfSeen(float seen) { return static_cast<std::uint8_t>(std::lround(seen)); }
 
   /// The level of a voxel that counts, 1 to 255; both Gaussians reach some with data.
-  [[nodiscard]] float seenAt(std::size_t n, const Scratch& mine) const {
-    const float wide = mine.wideDecibels[n] / mine.wideWeight[n], narrow = mine.narrowDecibels[n] / mine.narrowWeight[n];
+  [[nodiscard]] float seenAt(const Place& at, const Scratch& mine) const {
+    const std::size_t n = at.inner;
+    const float wide = mine.wideDecibels[n] / mine.wideWeight[n], narrow = mine.narrowDecibels[at.middle] / mine.narrowWeight[at.middle];
     // Speckle of this power has its decibels so far lower; where more of it was averaged the mean of the decibels tells.
     const float ofPower = 10.0F * std::log10(std::max(mine.widePower[n] / mine.wideWeight[n], 1e-30F));
     const float more = std::max(ofPower - static_cast<float>(detail::kMeanOfLog_db) - wide, 0.0F);
@@ -239,8 +319,7 @@ class Leveller {
   double gain_db_;
   glm::ivec3 stride_;
   Kernels wide_, narrow_;
-  glm::ivec3 halo_;
-  std::array<float, 256> decibels_{}, power_{};
+  ValueOfCode weight_{}, decibels_{}, power_{};
 };
 
 glm::ivec3 blocksOf(const Grid& grid, int edge) { return (grid.dims + edge - 1) / edge; }
@@ -248,11 +327,7 @@ glm::ivec3 blocksOf(const Grid& grid, int edge) { return (grid.dims + edge - 1) 
 int edgeOf(const LevelOptions& options) { return std::clamp(options.block_voxels, 8, 256); }
 
 std::uint64_t threadBytes(const Grid& grid, const LevelOptions& options) {
-  const glm::ivec3 stride = strideOf(grid, options.sigma_mm);
-  const glm::ivec3 halo = reachOf(kernelsOf(grid, options.sigma_mm, stride)) + reachOf(kernelsOf(grid, kNarrow * options.sigma_mm, stride));
-  const glm::ivec3 block = glm::min(glm::ivec3(edgeOf(options)), grid.dims);
-  const glm::ivec3 counted = glm::mix((block + stride - 1) / stride + 1, block, glm::equal(stride, glm::ivec3(1)));
-  return samplesIn(counted + 2 * halo) * sizeof(float) * Scratch::kFields;
+  return Leveller({nullptr, grid}, {}, options).bytesFor(glm::min(glm::ivec3(edgeOf(options)), grid.dims));
 }
 
 /// As many as there are blocks and room for, but one at least.
