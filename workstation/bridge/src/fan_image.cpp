@@ -187,18 +187,21 @@ void FanImage::setImage(const DisplayImage& image, const DisplayGeometry& geomet
     pixels_->SetDimensions(width, height, 1);
     pixels_->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   }
+  // Black on a dark ground would be a hole: the floor of the pane is a trace of its edge's colour.
+  std::array<Rgb, 256> shown;
+  for (int level = 0; level < 256; ++level)
+    for (int c = 0; c < 3; ++c) {
+      const int floor = static_cast<int>(kFloor * accent_[c]);
+      shown[static_cast<std::size_t>(level)][c] = static_cast<std::uint8_t>(floor + level * (255 - floor) / 255);
+    }
   auto* out = static_cast<unsigned char*>(pixels_->GetScalarPointer());
+  const auto put = [&](const glm::ivec3& level) {
+    for (int c = 0; c < 3; ++c) *out++ = shown[static_cast<std::size_t>(level[c])][c];
+  };
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const glm::ivec3 level = step == 1 ? levelAt(image, x, y)
-                                         : (levelAt(image, 2 * x, 2 * y) + levelAt(image, 2 * x + 1, 2 * y) +
-                                            levelAt(image, 2 * x, 2 * y + 1) + levelAt(image, 2 * x + 1, 2 * y + 1) + 2) /
-                                               4;
-      // Black on a dark ground would be a hole: the floor of the pane is a trace of its edge's colour.
-      for (int c = 0; c < 3; ++c) {
-        const int floor = static_cast<int>(kFloor * accent_[c]);
-        *out++ = static_cast<unsigned char>(floor + level[c] * (255 - floor) / 255);
-      }
+      const auto at = [&](int right, int down) { return levelAt(image, step * x + right, step * y + down); };
+      put(step == 1 ? at(0, 0) : (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1) + 2) / 4);
     }
   pixels_->Modified();
   geometry_ = geometry;

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "camera.h"
 #include "ew/bridge/convert.h"
@@ -29,6 +30,7 @@
 #include "ew/core/contract.h"
 #include "fan_image.h"
 #include "handles_model.h"
+#include "kept_layer.h"
 #include "orientation_cube.h"
 #include "probe_model.h"
 
@@ -92,11 +94,21 @@ SceneColours lightColours() {
 }
 
 struct Scene3D::Parts {
-  explicit Parts(vtkRenderWindow& renderWindow) : window(&renderWindow) {}
+  /// Where the body is seen from.
+  struct Seen {
+    glm::dvec3 eye_mm{0.0}, focal_mm{0.0}, up{0.0};
+    glm::ivec2 window_px{0};
+    bool operator==(const Seen&) const = default;
+  };
+
+  explicit Parts(vtkRenderWindow& renderWindow) : window(&renderWindow), keptBody(renderWindow, *bodyLayer, *overlay) {}
 
   vtkSmartPointer<vtkRenderWindow> window;
   vtkNew<vtkRenderer> bodyLayer;
   vtkNew<vtkRenderer> overlay;
+  KeptLayer keptBody;     ///< on software GL the body takes many times as long as all that moves over it
+  bool isBodyNew = true;  ///< it looks otherwise than it was drawn last
+  Seen drawnFrom;         ///< where from that was
   vtkNew<vtkCamera> vtkView;
   OrbitCamera camera;
   SceneColours colours;
@@ -140,6 +152,7 @@ struct Scene3D::Parts {
     bodyLayer->SetBackground(colours.groundBottom.r, colours.groundBottom.g, colours.groundBottom.b);
     bodyLayer->SetBackground2(colours.groundTop.r, colours.groundTop.g, colours.groundTop.b);
     setColour(*body->GetProperty(), colours.skin);
+    isBodyNew = true;
     setColour(*box->GetProperty(), colours.box);
     colourBody();
     updateRim();
@@ -153,6 +166,7 @@ struct Scene3D::Parts {
 
   /// Skin, and tinted skin where there are data below it.
   void colourBody() {
+    isBodyNew = true;
     bodyMapper->SetScalarVisibility(!coverage.empty());
     if (mannequin == nullptr) return;
     if (coverage.empty()) return bodyMapper->SetInputData(mannequin->surface);
@@ -327,7 +341,10 @@ void Scene3D::setCoverage(std::vector<float> shares) {
   p.colourBody();
 }
 
-void Scene3D::setBodyOpacity(double opacity) { parts_->body->GetProperty()->SetOpacity(std::clamp(opacity, 0.0, 1.0)); }
+void Scene3D::setBodyOpacity(double opacity) {
+  parts_->body->GetProperty()->SetOpacity(std::clamp(opacity, 0.0, 1.0));
+  parts_->isBodyNew = true;
+}
 
 void Scene3D::setVolumeBox(const Grid& grid) {
   EW_EXPECTS(checkGrid(grid).has_value());
@@ -366,6 +383,7 @@ void Scene3D::setOrgans(std::shared_ptr<const OrganSurfaces> organs) {
   const bool any = p.organs != nullptr && !p.organs->labels().empty();
   if (any) p.organMapper->SetInputData(p.organs->mesh());
   p.organActor->SetVisibility(any);
+  p.isBodyNew = true;
 }
 
 void Scene3D::setHandles(const HandlesToWorld& toWorld, const glm::dvec3& halfSize_mm) {
@@ -527,6 +545,10 @@ void Scene3D::render(Edges edges) {
   p.syncCamera();
   if (const auto place = handles()) p.handlesModel.setPlace(*place, p.camera.eye_mm());
   if (p.housing->GetVisibility()) p.housing->GetProperty()->SetOpacity(0.22 + 0.78 * p.seenPart());
+  const int* size = p.window->GetSize();
+  const Parts::Seen from{p.camera.eye_mm(), p.camera.focal_mm(), p.camera.up(), {size[0], size[1]}};
+  if (!(std::exchange(p.drawnFrom, from) == from)) p.isBodyNew = true;
+  p.keptBody.prepare(std::exchange(p.isBodyNew, false));
   p.window->Render();
 }
 

@@ -56,7 +56,8 @@ struct SceneColours {
 /// given, and only when render() is called. Points on the screen are in device pixels from the window's upper left corner.
 /// The fan, the box and the probe lie in a layer over the body, so the body never hides the fan; a probe behind the body turns
 /// translucent. A cube in the lower right corner names the body's sides. Body triangles facing away are not drawn; no multisampling, no
-/// depth peeling (both cost a multiple on software GL).
+/// depth peeling (both cost a multiple on software GL). The body's pixels are kept: while neither it nor the camera changes, only what
+/// lies over it is drawn.
 class Scene3D {
  public:
   explicit Scene3D(vtkRenderWindow& window);
