@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <QAbstractEventDispatcher>
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
@@ -26,6 +27,7 @@
 #include "ew/ui_test_door/jobs.h"
 #include "ew/ui_test_door/messages.h"
 #include "ew/ui_test_door/scan.h"
+#include "ew/widgets/handler_watch.h"
 #include "ew/widgets/theme.h"
 #include "time_limit.h"
 
@@ -106,6 +108,28 @@ inline QSurfaceFormat windowFormat() {
   return format;
 }
 
+/// With EW_WATCH set it says in the end who held the window's thread during the test.
+class TestApplication final : public QApplication {
+ public:
+  TestApplication(int& argc, char** argv) : QApplication(argc, argv) {
+    if (!qEnvironmentVariableIsSet("EW_WATCH")) return;
+    watch_ = std::make_unique<HandlerWatch>();
+    watch_->follow(*QAbstractEventDispatcher::instance());
+  }
+  ~TestApplication() override {
+    if (!watch_) return;
+    for (const HandlerWatch::Slow& each : watch_->slow())
+      qInfo("%6zu times, %8.1f ms in all, %7.1f at most: %s", each.count, each.total_ms, each.worst_ms, qPrintable(each.name));
+  }
+  bool notify(QObject* receiver, QEvent* event) override {
+    if (!watch_ || receiver->thread() != thread()) return QApplication::notify(receiver, event);
+    return watch_->handle(*receiver, *event, [&] { return QApplication::notify(receiver, event); });
+  }
+
+ private:
+  std::unique_ptr<HandlerWatch> watch_;
+};
+
 /// A test with one window of 1280 x 720, made anew for every test function.
 class WindowFixture : public QObject {
  protected:
@@ -140,7 +164,7 @@ class WindowFixture : public QObject {
 #define EW_WINDOW_TEST_MAIN(Test)                                        \
   int main(int argc, char** argv) {                                      \
     QSurfaceFormat::setDefaultFormat(ew::ui::testing::windowFormat());   \
-    QApplication app(argc, argv);                                        \
+    ew::ui::testing::TestApplication app(argc, argv);                    \
     QApplication::setOrganizationName(QStringLiteral("EchoWeave"));      \
     QApplication::setApplicationName(QStringLiteral("EchoWeave tests")); \
     Test test;                                                           \

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ew/core/contract.h"
+#include "ew/widgets/handler_watch.h"
 
 namespace ew::ui {
 
@@ -258,7 +259,10 @@ void Session::makeImageNow() {
     scan_.unsettledFrames =
         isOwnFrame_ ? std::max<std::size_t>(1, scan_.unsettledFrames) - 1 : framesToSettle(scan_.live.knobs.persistence);
   }
-  scan_.image = scan_.scanner.make(scan_.shown, scan_.width_px, scan_.height_px);
+  {
+    const HandlerWatch::Part part("the image of the scan");
+    scan_.image = scan_.scanner.make(scan_.shown, scan_.width_px, scan_.height_px);
+  }
   scan_.forming.reset();
   scan_.isOfThisScan = !scan_.played && (scan_.isOfThisScan || isLive);
   if (isLive) {
@@ -269,7 +273,10 @@ void Session::makeImageNow() {
   if (isTracked) probeControl_.measureLatency();
   frames_.keepTimes(scan_.scanner.lastTimes());
   if (wasLost) probeControl_.tellFound(end_s);
-  Q_EMIT imageChanged();
+  {
+    const HandlerWatch::Part part("telling everybody of an image");
+    Q_EMIT imageChanged();
+  }
   keepComing();
 }
 

@@ -2,11 +2,39 @@
 
 #include <spdlog/spdlog.h>
 
+#include <QAbstractEventDispatcher>
 #include <QEvent>
+#include <algorithm>
 
 namespace ew::ui {
 
+#ifdef EW_CHECK_CONTRACTS
+SafeApplication::SafeApplication(int& argc, char** argv) : QApplication(argc, argv) {
+  watch_.follow(*QAbstractEventDispatcher::instance());
+  watch_.told = [](const HandlerWatch::Slow& slow) {
+    spdlog::warn("Held the window's thread for {:.1f} ms: {}", slow.worst_ms, slow.name.toStdString());
+  };
+}
+
+SafeApplication::~SafeApplication() {
+  constexpr std::size_t kWorthSaying = 12;
+  const std::vector<HandlerWatch::Slow> all = watch_.slow();
+  for (std::size_t n = 0; n < std::min(kWorthSaying, all.size()); ++n)
+    spdlog::info("Held the window's thread {} times, {:.0f} ms in all, {:.1f} ms at most: {}", all[n].count, all[n].total_ms,
+                 all[n].worst_ms, all[n].name.toStdString());
+}
+
 bool SafeApplication::notify(QObject* receiver, QEvent* event) {
+  if (receiver->thread() != thread()) return handle(receiver, event);
+  return watch_.handle(*receiver, *event, [&] { return handle(receiver, event); });
+}
+#else
+SafeApplication::SafeApplication(int& argc, char** argv) : QApplication(argc, argv) {}
+SafeApplication::~SafeApplication() = default;
+bool SafeApplication::notify(QObject* receiver, QEvent* event) { return handle(receiver, event); }
+#endif
+
+bool SafeApplication::handle(QObject* receiver, QEvent* event) {
   const QPointer<QObject> watched(receiver);  // a handler may delete its object before it throws
   const bool closing = event->type() == QEvent::Close;
   const auto handled = guarded([&] { return QApplication::notify(receiver, event); },
