@@ -350,7 +350,7 @@ class View3DTest : public QObject {
   void manyChangesInOneTurnAreDrawnOnce() {
     settle();
     int draws = 0;
-    connect(static_cast<QVTKOpenGLNativeWidget*>(view_->canvas()), &QOpenGLWidget::frameSwapped, this, [&] { ++draws; });
+    connect(static_cast<ui::BodyCanvas*>(view_->canvas()), &ui::BodyCanvas::drawn, this, [&] { ++draws; });
     for (int i = 0; i < 50; ++i) wheel(view_->canvas(), i % 2 == 0 ? 1 : -1);
     QTest::qWait(150);
     QVERIFY2(draws <= 3, qPrintable(QString::number(draws)));

@@ -124,7 +124,7 @@ class JourneysTest : public WindowFixture {
   }
 
   void aSlowBodyDoesNotHoldUpTheScan() {
-    auto* canvas = qobject_cast<QVTKOpenGLNativeWidget*>(window_->view3d().canvas());
+    auto* canvas = qobject_cast<BodyCanvas*>(window_->view3d().canvas());
     QTest::qWait(400);
     PaintCount scans(window_->scanView());
     /// How many scans were drawn before each drawing of the body.
@@ -139,7 +139,7 @@ class JourneysTest : public WindowFixture {
       all.scansBefore.push_back(all.scans.count);
       std::this_thread::sleep_for(std::chrono::milliseconds(80));
     });
-    const unsigned long tag = canvas->renderWindow()->AddObserver(vtkCommand::StartEvent, slow);
+    const unsigned long tag = canvas->renderWindow().AddObserver(vtkCommand::StartEvent, slow);
     // A hand that moves the mouse 60 times a second. A body drawn with every scan would never leave room for two of them; on a busy machine
     // some of its rests are over before a second scan is made, but not all.
     const auto roomy = [&] {
@@ -153,7 +153,7 @@ class JourneysTest : public WindowFixture {
       session().probeControl().setHold(turned(session().probeControl().hold(), ++moves % 2 == 0 ? 0.02 : -0.02, 0.0, 0.0));
       return roomy() >= 3;
     });
-    canvas->renderWindow()->RemoveObserver(tag);
+    canvas->renderWindow().RemoveObserver(tag);
     QVERIFY2(hasRoom, qPrintable(QStringLiteral("%1 scans, %2 bodies").arg(scans.count).arg(drawings.scansBefore.size())));
   }
 };

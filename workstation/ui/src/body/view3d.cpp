@@ -1,9 +1,6 @@
 #include "body/view3d.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
 
 #include <QElapsedTimer>
 #include <QEvent>
@@ -18,8 +15,10 @@
 #include <utility>
 #include <vector>
 
+#include "body/body_canvas.h"
 #include "ew/core/contract.h"
 #include "ew/widgets/focus_ring.h"
+#include "ew/widgets/handler_watch.h"
 #include "ew/widgets/look.h"
 
 namespace ew::ui {
@@ -89,14 +88,8 @@ class Glass final : public QWidget {
 struct View3D::Parts {
   double opacity = 1.0;  ///< the user's choice
   std::optional<Aids> aids;
-  explicit Parts(View3D* view)
-      : canvas(new QVTKOpenGLNativeWidget(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new QWidget(view)) {
-    canvas->setRenderWindow(window);
-    // The scene draws when something changed; VTK's own interactor would draw on every mouse event and move the camera its own way.
-    canvas->setEnableHiDPI(true);
-    window->SetMultiSamples(0);
-    if (auto* interactor = canvas->interactor()) interactor->SetInteractorStyle(nullptr);
-    scene = std::make_unique<bridge::Scene3D>(*window);
+  explicit Parts(View3D* view) : canvas(new BodyCanvas(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new QWidget(view)) {
+    scene = std::make_unique<bridge::Scene3D>(canvas->renderWindow());
   }
 
   [[nodiscard]] glm::dvec2 device(const QPointF& at) const {
@@ -104,8 +97,7 @@ struct View3D::Parts {
     return {at.x() * ratio, at.y() * ratio};
   }
 
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  QVTKOpenGLNativeWidget* canvas;
+  BodyCanvas* canvas;
   Glass* glass;
   QLabel* hint;
   QWidget* buttons;
@@ -200,6 +192,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   parts_->still.setSingleShot(true);
   parts_->still.setInterval(250);
   connect(&parts_->still, &QTimer::timeout, this, &View3D::renderNow);
+  parts_->canvas->drawAgain = [this] { draw(bridge::Scene3D::Edges::quick); };
   retranslate();
 }
 
@@ -341,7 +334,9 @@ void View3D::draw(bridge::Scene3D::Edges edges) {
   // Without a context there is nothing to draw into; the widget asks again when it is shown.
   if (!isVisible() || !parts_->canvas->isValid()) return;
   parts_->sinceDrawn.start();
-  parts_->scene->render(edges);
+  const HandlerWatch::Part part("drawing the body");
+  if (beforeDrawing) beforeDrawing();
+  parts_->canvas->draw([this, edges] { parts_->scene->render(edges); });
   parts_->drawing_ms = parts_->sinceDrawn.restart();
   parts_->glass->update();  // what lies over it moves with the camera
 }

@@ -48,6 +48,8 @@ class View3D : public QWidget {
   /// Pixels and where they lie; copied, so the view may change afterwards.
   void setFanImage(const DisplayImage& image, const DisplayGeometry& geometry);
   void clearFanImage();  ///< the fan becomes a tinted pane
+  /// Called before each drawing, to bring into scene() what only a drawing needs: not every image of the scan is drawn here.
+  std::function<void()> beforeDrawing;
 
   void setDarkTheme(bool dark);
   void setBodyOpacity(double opacity);  ///< 0..1; the user's choice
