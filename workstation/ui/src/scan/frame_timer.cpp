@@ -1,5 +1,7 @@
 #include "scan/frame_timer.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,6 +14,7 @@ namespace {
 
 constexpr std::size_t kRememberedFrames = 25;
 constexpr double kFramePeriod_ms = 36.0;  // about 28 frames a second, as a machine shows of a deep abdomen
+const auto kAsked = static_cast<QEvent::Type>(QEvent::registerEventType());
 
 }  // namespace
 
@@ -22,10 +25,17 @@ FrameTimer::FrameTimer(const ScanContents& scan) : scan_(scan) {
   connect(&nextFrame_, &QTimer::timeout, this, &FrameTimer::elapsed);
 }
 
+/// By an event that comes after all input that is there, and before any timer: a timer that is due would otherwise draw the body first.
 void FrameTimer::ask() {
   if (isAsked_) return;
   isAsked_ = true;
-  QTimer::singleShot(0, this, &FrameTimer::asked);
+  QCoreApplication::postEvent(this, new QEvent(kAsked), Qt::LowEventPriority);
+}
+
+bool FrameTimer::event(QEvent* event) {
+  if (event->type() != kAsked) return QObject::event(event);
+  Q_EMIT asked();
+  return true;
 }
 
 void FrameTimer::askNow() {
@@ -43,7 +53,9 @@ void FrameTimer::setWatched(bool watched) {
 void FrameTimer::comeAsAMachine(double made_s) {
   // What the image's viewers spend counts as well: at least as long as frame and drawing took, the window is free for the hand.
   const double spent_ms = 1000.0 * (now_s() - made_s);
-  nextFrame_.start(static_cast<int>(std::lround(std::max(kFramePeriod_ms - spent_ms, std::min(spent_ms, 200.0)))));
+  // While a hand moves, its next move brings the next frame: one that came by itself just before would only be in its way.
+  const double period_ms = showsMove_ ? 2.0 * kFramePeriod_ms : kFramePeriod_ms;
+  nextFrame_.start(static_cast<int>(std::lround(std::max(period_ms - spent_ms, std::min(spent_ms, 200.0)))));
 }
 
 void FrameTimer::comeAsTracked() {
@@ -80,7 +92,8 @@ double FrameTimer::finish(bool isLive) {
   ++framesMade_;
   const double end_s = now_s();
   lastFrame_ms_ = 1000.0 * (end_s - frameBegan_s_);
-  if (movedAt_s_ && isLive) latency_.add(1e6 * (end_s - *movedAt_s_));
+  showsMove_ = movedAt_s_ && isLive;
+  if (showsMove_) latency_.add(1e6 * (end_s - *movedAt_s_));
   movedAt_s_.reset();
   return end_s;
 }

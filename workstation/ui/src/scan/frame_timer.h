@@ -36,7 +36,8 @@ class FrameTimer final : public QObject {
   /// Whether anybody sees the image; nobody: no frames come by themselves.
   void setWatched(bool watched);
   [[nodiscard]] bool isWatched() const { return isWatched_; }
-  /// The next frame comes by itself, as a machine shows them. @param made_s when the present one was begun
+  /// The next frame comes by itself, as a machine shows them; later, where a hand is about to bring it. @param made_s when the present one
+  /// was begun
   void comeAsAMachine(double made_s);
   /// The next frame comes by itself at the pace of a tracked probe, unless a reading brings it earlier.
   void comeAsTracked();
@@ -85,6 +86,9 @@ class FrameTimer final : public QObject {
   void asked();    ///< the turn is over, or askNow(): takeAsked() tells whether an image is still to be made
   void elapsed();  ///< the time of a frame that comes by itself
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   const ScanContents& scan_;
   QElapsedTimer clock_;
@@ -98,6 +102,7 @@ class FrameTimer final : public QObject {
   double lastFrame_ms_ = 0.0;
   std::uint64_t framesMade_ = 0;
   std::optional<double> movedAt_s_;
+  bool showsMove_ = false;  ///< the present image, of a hand
   LatencyHistogram latency_;
   std::vector<std::vector<StepTime>> recent_;
 };
