@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
 
+#include "places.h"
 #include "rules/source_tree.h"
 
 // One concept, one word (resources/docs/developer/glossary.md). A type is a thing: its name begins with a noun or an adjective, not with
@@ -80,6 +84,26 @@ TEST(FieldWords, EveryTermOfTheFieldIsUsed) {
 
 TEST(FieldWords, WhatIsSeenIsAnImage) {
   EXPECT_EQ(brokenBy(pictures, {}, "say image; what a camera sends is a frame, what is drawn is a drawing."), "");
+}
+
+/// Texts of JSON below a folder in which a picture is spoken of.
+std::vector<std::string> filesWithPictures(const std::filesystem::path& root) {
+  static const std::regex picture(R"(\b[Pp]ictures?\b)");
+  std::vector<std::string> found;
+  for (const auto& each : std::filesystem::recursive_directory_iterator(root)) {
+    // A recipe is known by its bytes: another word in a remark would have its volume made anew.
+    if (each.path().extension() != ".json" || each.path().filename() == "patient.json") continue;
+    std::ifstream in(each.path(), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (std::regex_search(text, picture)) found.push_back(each.path().string());
+  }
+  return found;
+}
+
+TEST(FieldWords, WhatTraineesReadIsAnImageAsWell) {
+  for (const char* folder : {"cases", "resources/templates"})
+    EXPECT_EQ(filesWithPictures(std::filesystem::path(EW_SOURCE_DIR) / folder), std::vector<std::string>())
+        << "say image, in the translations' keys too";
 }
 
 TEST(FieldWords, AreMissedWhereARuleIsBroken) {

@@ -120,7 +120,7 @@ TEST(ShippedCases, ShowTheAortaWhereItsLessonSays) {
     for (const LessonStep& step : lesson.steps)
       if (const auto* task = std::get_if<PointTask>(&step.task); task != nullptr && task->target == "aorta") asked = &step;
   ASSERT_NE(asked, nullptr);
-  for (const char* told : {"large round vessel", "in front of the bright curve of the spine", "right of the picture",
+  for (const char* told : {"large round vessel", "in front of the bright curve of the spine", "right of the image",
                            "small one in front of it", "superior mesenteric artery"})
     EXPECT_NE(asked->lookFor.find(told), std::string::npos) << told << ": " << asked->lookFor;
 
