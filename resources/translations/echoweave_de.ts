@@ -12554,6 +12554,18 @@
         <source>from %1%2</source>
         <translation>ab %1%2</translation>
     </message>
+    <message>
+        <source>%1 held lines that nobody can read (%2); they lie in %3 now. No copy is lost; where something stands is not known so well any more, and it may be sent once more. Look whether the receiver has something twice; then delete that file.</source>
+        <translation>%1 enthielt Zeilen, die niemand lesen kann (%2); sie liegen jetzt in %3. Keine Kopie ist verloren; wie weit etwas ist, ist nicht mehr so genau bekannt, und es kann noch einmal gesendet werden. Sehen Sie nach, ob der Empfänger etwas doppelt hat; löschen Sie dann diese Datei.</translation>
+    </message>
+    <message>
+        <source>%1 holds lines that nobody can read (%2), and they cannot be moved to %3. No copy is lost; where something stands is not known so well any more, and it may be sent once more. Check the folder, its permissions and the free space.</source>
+        <translation>%1 enthält Zeilen, die niemand lesen kann (%2), und sie lassen sich nicht nach %3 verschieben. Keine Kopie ist verloren; wie weit etwas ist, ist nicht mehr so genau bekannt, und es kann noch einmal gesendet werden. Prüfen Sie den Ordner, seine Rechte und den freien Platz.</translation>
+    </message>
+    <message>
+        <source>The translations &apos;%1&apos; cannot be read (%2 at byte %3); install the program again.</source>
+        <translation>Die Übersetzungen „%1“ lassen sich nicht lesen (%2 bei Byte %3); installieren Sie das Programm neu.</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -17617,6 +17629,10 @@
         <source>&apos;%1&apos; was taken out of the library. It lies in %2; moved back to %3, it is there again.</source>
         <translation>&apos;%1&apos; wurde aus der Bibliothek genommen. Der Fall liegt in %2; nach %3 zurückverschoben, ist er wieder da.</translation>
     </message>
+    <message>
+        <source>Taking &apos;%1&apos; out of the library</source>
+        <translation>„%1“ wird aus der Bibliothek genommen</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CaseSaving</name>
@@ -17711,6 +17727,14 @@
     <message>
         <source>Published cases are not edited in place, for attempts of trainees refer to them. Save &apos;%1&apos; as a case of your own.</source>
         <translation>Veröffentlichte Fälle werden nicht an Ort und Stelle bearbeitet, denn Versuche von Lernenden beziehen sich auf sie. „%1“ als eigenen Fall speichern.</translation>
+    </message>
+    <message>
+        <source>Looking for unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking at the cases beside it</source>
+        <translation>Die Fälle daneben werden angesehen</translation>
     </message>
 </context>
 <context>
@@ -18485,6 +18509,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>%1 is a recording of &apos;%2&apos;. Open what was scanned first, then the recording.</source>
         <translation>%1 ist eine Aufzeichnung von „%2“. Zuerst öffnen, was geschallt wurde, dann die Aufzeichnung.</translation>
     </message>
+    <message>
+        <source>Looking for a case to begin with</source>
+        <translation>Ein Fall für den Anfang wird gesucht</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::OwnKeys</name>
@@ -18596,6 +18624,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Coarse at first, whole in %1</source>
         <translation>Zuerst grob, ganz: %1</translation>
+    </message>
+    <message>
+        <source>Looking for cases to prepare</source>
+        <translation>Fälle, die vorzubereiten sind, werden gesucht</translation>
     </message>
 </context>
 <context>
@@ -21423,6 +21455,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>This lesson was finished before the program ended; nothing of it was lost.</source>
         <translation>Diese Lektion war abgeschlossen, bevor das Programm endete; nichts davon ging verloren.</translation>
     </message>
+    <message>
+        <source>Reading your attempts</source>
+        <translation>Ihre Versuche werden gelesen</translation>
+    </message>
 </context>
 <context>
     <name>ew::lessons::LessonPlayer</name>
@@ -21453,6 +21489,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>Back to the lessons; the lesson can be gone on with later</source>
         <translation>Zurück zu den Lektionen; die Lektion kann später fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>Looking for the case of this step</source>
+        <translation>Der Fall dieses Schritts wird gesucht</translation>
     </message>
 </context>
 <context>
@@ -22267,6 +22307,13 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>The trainee scans at will; what is to be shown is ticked off</source>
         <translation>Lernende untersuchen nach eigenem Ermessen; was zu zeigen ist, wird abgehakt</translation>
+    </message>
+</context>
+<context>
+    <name>ew::lessons::LessonDocument</name>
+    <message>
+        <source>Looking for cases that a step may scan</source>
+        <translation>Fälle, die ein Schritt schallen darf, werden gesucht</translation>
     </message>
 </context>
 <context>
@@ -26867,6 +26914,18 @@ Sie werden im Ordner des Falls beiseitegelegt und können hier zurückgelegt wer
     <message>
         <source>nothing</source>
         <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Looking at the files of the case</source>
+        <translation>Die Dateien des Falls werden angesehen</translation>
+    </message>
+    <message>
+        <source>Taking files out of the case</source>
+        <translation>Dateien werden aus dem Fall genommen</translation>
+    </message>
+    <message>
+        <source>Putting files back</source>
+        <translation>Dateien werden zurückgelegt</translation>
     </message>
 </context>
 </TS>

@@ -234,6 +234,86 @@ TEST(OneOutbox, LinesThatSayNothingHoldNothingUp) {
   EXPECT_TRUE(fs::exists(folder / "o/0000000008-b.txt"));
 }
 
+TEST(OneOutbox, SaysOnceThatNotesAreDamagedAndKeepsTheirLines) {
+  const test::TemporaryFolder folder;
+  {
+    Outbox outbox = opened(folder / "o");
+    for (const char* id : {"a", "b", "c"}) ASSERT_TRUE(put(outbox, id));
+    ASSERT_TRUE(outbox.keep(Ids{"a"}, OutboxStatus::arrived));
+    ASSERT_TRUE(outbox.keep(Ids{"b"}, OutboxStatus::doubtful));
+    EXPECT_EQ(outbox.damage(), std::nullopt);
+  }
+  const std::string damaged = "{\"id\":\"c\",\"sta\x01us\":\"arrived\"}\n\xff\xfe\n";
+  std::ofstream(folder / "o/notes", std::ios::app) << damaged << "{\"id\":\"b\",\"status\":\"stored\"}\n";
+  const auto isAllThere = [](const Outbox& outbox) {
+    EXPECT_EQ(idsOf(outbox), (Ids{"b", "c"}));
+    EXPECT_EQ(outbox.find("b")->status, OutboxStatus::stored);
+    EXPECT_EQ(outbox.find("c")->status, OutboxStatus::waiting);
+    EXPECT_TRUE(outbox.knows("a"));
+  };
+  {
+    const Outbox outbox = opened(folder / "o");
+    isAllThere(outbox);
+    ASSERT_TRUE(outbox.damage());
+    const std::string said = outbox.damage()->english();
+    EXPECT_NE(said.find("(2)"), std::string::npos) << said;
+    EXPECT_NE(said.find((folder / "o/notes-damaged").string()), std::string::npos) << said;
+    EXPECT_TRUE(outbox.unreadable().empty());
+  }
+  EXPECT_EQ(textOf(folder / "o/notes-damaged"), damaged);
+  const Outbox again = opened(folder / "o");
+  isAllThere(again);
+  EXPECT_EQ(again.damage(), std::nullopt) << "once is enough";
+}
+
+TEST(OneOutbox, LinesThatCannotBeMovedStayAndAreToldOfAgain) {
+  const test::TemporaryFolder folder;
+  const std::string notes = "{\"format\":1}\n[[[\n{\"id\":\"a\",\"status\":\"arrived\"}\n";
+  writeText(folder / "o/notes", notes);
+  fs::create_directories(folder / "o/notes-damaged/in the way");
+  for (int time = 0; time < 2; ++time) {
+    const Outbox outbox = opened(folder / "o");
+    ASSERT_TRUE(outbox.damage());
+    EXPECT_NE(outbox.damage()->english().find("cannot be moved"), std::string::npos);
+    EXPECT_TRUE(outbox.knows("a"));
+  }
+  EXPECT_EQ(textOf(folder / "o/notes"), notes);
+}
+
+TEST(OneOutbox, WhatWasRefusedAndDeletedByHandIsGivenUp) {
+  const test::TemporaryFolder folder;
+  {
+    Outbox outbox = opened(folder / "o");
+    for (const char* id : {"a", "b", "c"}) ASSERT_TRUE(put(outbox, id));
+    ASSERT_TRUE(outbox.keep(Ids{"a", "b"}, OutboxStatus::refused));
+  }
+  ASSERT_TRUE(fs::remove(folder / "o/0000000001-a.txt"));
+  ASSERT_TRUE(fs::remove(folder / "o/0000000003-c.txt"));
+  {
+    Outbox outbox = opened(folder / "o");
+    EXPECT_EQ(idsOf(outbox), Ids{"b"}) << "without a note and a copy nobody knows of c";
+    EXPECT_EQ(outbox.count(OutboxStatus::refused), 1u);
+    EXPECT_FALSE(outbox.knows("a"));
+    ASSERT_TRUE(put(outbox, "a", "corrected"));
+  }
+  const Outbox again = opened(folder / "o");
+  EXPECT_EQ(idsOf(again), (Ids{"b", "a"}));
+  EXPECT_EQ(textOf(again.copyOf(*again.find("a"))), "corrected");
+}
+
+TEST(OneOutbox, ACopyThatIsMissingOfWhatWasNotRefusedIsStillToldOf) {
+  const test::TemporaryFolder folder;
+  {
+    Outbox outbox = opened(folder / "o");
+    for (const char* id : {"a", "b"}) ASSERT_TRUE(put(outbox, id));
+    ASSERT_TRUE(outbox.keep(Ids{"a"}, OutboxStatus::doubtful));
+  }
+  ASSERT_TRUE(fs::remove(folder / "o/0000000001-a.txt"));
+  const Outbox outbox = opened(folder / "o");
+  ASSERT_NE(outbox.find("a"), nullptr);
+  EXPECT_EQ(outbox.find("a")->status, OutboxStatus::doubtful);
+}
+
 TEST(OneOutbox, WhatEarlierVersionsNotedIsTakenOverOnce) {
   const test::TemporaryFolder folder;
   OutboxKind kind = kInOrder;

@@ -112,6 +112,7 @@ Result<int> takeRecords(const RecordsArguments& arguments, Run& run) {
   if (!arguments.dryRun) {
     auto opened = StatementOutbox::open(arguments.outboxPlace());
     if (!opened) return passOn(opened.error());
+    if (opened->damage()) run.remark(*opened->damage());
     outbox.emplace(std::move(*opened));
     staysDone(run);
   }
@@ -186,6 +187,7 @@ Result<int> sendRecords(const RecordsArguments& arguments, Run& run) {
   store->timeout_s = arguments.timeout_s;
   auto outbox = StatementOutbox::open(arguments.outboxPlace());
   if (!outbox) return passOn(outbox.error());
+  if (outbox->damage()) run.remark(*outbox->damage());
   if (arguments.retriesRefused)
     if (auto waits = outbox->retryRefused(); !waits) return passOn(waits.error());
   SendStatementsOptions options;
@@ -199,6 +201,7 @@ Result<int> sendRecords(const RecordsArguments& arguments, Run& run) {
 Result<int> listRecords(const RecordsArguments& arguments, Run& run) {
   const auto outbox = StatementOutbox::open(arguments.outboxPlace());
   if (!outbox) return passOn(outbox.error());
+  if (outbox->damage()) run.remark(*outbox->damage());
   nlohmann::json rows = nlohmann::json::array();
   for (const OutboxEntry& each : outbox->entries()) {
     const auto text = outbox->textOf(each.id);

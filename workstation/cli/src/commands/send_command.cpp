@@ -22,6 +22,7 @@ Result<int> send(const SendArguments& arguments, Run& run) {
     if (auto kept = run.input(file); !kept) return passOn(kept.error());
   auto outbox = DicomOutbox::open(arguments.outbox);
   if (!outbox) return passOn(outbox.error());
+  if (outbox->damage()) run.remark(*outbox->damage());
   std::size_t known = 0;
   for (const std::string& file : arguments.files) {
     const auto isNew = outbox->add(file);

@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr const char* kNotes = "notes";
+constexpr const char* kDamagedNotes = "notes-damaged";
 constexpr int kNotesFormat = 1;
 constexpr std::size_t kLargestNotes_bytes = std::size_t{1} << 30;
 constexpr long long kMostAttempts = 1'000'000'000;
@@ -141,6 +142,8 @@ struct Outbox::Parts {
   std::map<std::string, Error> unreadable;  ///< by id
   long long nextNumber = 1;
   std::size_t notes_bytes = 0;  ///< whole lines; what lies beyond was written in part
+  std::string damagedLines;     ///< of the notes: whole, and nobody can read them
+  std::optional<Message> damage;
 
   [[nodiscard]] fs::path notes() const { return folder / kNotes; }
   [[nodiscard]] Result<void> takeLock();
@@ -151,7 +154,8 @@ struct Outbox::Parts {
   [[nodiscard]] Result<void> readEarlier(std::map<std::string, OutboxEntry>& noted);
   void takeCopy(const fs::path& copy, std::map<std::string, OutboxEntry>& noted);
   [[nodiscard]] Result<void> append(const std::vector<OutboxEntry>& changed);
-  void shorten();
+  bool shorten();
+  void setDamagedLinesAside();
   void order();
 };
 
@@ -209,11 +213,15 @@ Result<std::size_t> Outbox::Parts::readNotes(std::map<std::string, OutboxEntry>&
   closeFileToOthers(notes());
   std::size_t lines = 0;
   for (std::size_t begin = 0, end = 0; (end = text->find('\n', begin)) != std::string::npos; begin = notes_bytes = end + 1) {
-    const json note = jsonOrNull(std::string_view(*text).substr(begin, end - begin));
+    const std::string_view line = std::string_view(*text).substr(begin, end + 1 - begin);
+    const json note = jsonOrNull(line);
     if (wholeAt(note, "format").value_or(0) > kNotesFormat)
       return failure(ErrorCode::newerFormat, say<"%1 was written by a newer version of EchoWeave; send with that one.">(inQuotes(notes())));
     ++lines;
-    if (auto entry = entryIn(note); entry && kind.isId(entry->id)) take(std::move(*entry), noted);
+    if (auto entry = entryIn(note); entry && kind.isId(entry->id))
+      take(std::move(*entry), noted);
+    else if (!wholeAt(note, "format"))
+      damagedLines += line;
   }
   return lines;
 }
@@ -265,10 +273,14 @@ Result<void> Outbox::Parts::read() {
   if (!lines) return passOn(lines.error());
   if (auto taken = readEarlier(noted); !taken) return taken;
   for (const fs::path& copy : found) takeCopy(copy, noted);
+  // They are there, or their copies are lost, which is told. Of what was refused only a person takes the copy away, who has given it up.
   for (auto& [id, entry] : noted)
-    if (!unreadable.contains(id)) entries.push_back(std::move(entry));  // they are there, or their copies are lost, which is told
+    if (!unreadable.contains(id) && entry.status != OutboxStatus::refused) entries.push_back(std::move(entry));
   order();
-  if (*lines > 2 * (entries.size() + arrived.size()) + 100) shorten();
+  if (!damagedLines.empty())
+    setDamagedLinesAside();
+  else if (*lines > 2 * (entries.size() + arrived.size()) + 100)
+    shorten();
   return {};
 }
 
@@ -278,12 +290,29 @@ void Outbox::Parts::order() {
   for (std::size_t n = 0; n < entries.size(); ++n) at[entries[n].id] = n;
 }
 
-/// Lines that later ones have made idle go; where that fails they stay.
-void Outbox::Parts::shorten() {
+/// They are kept in a file of their own before the notes are written without them. Where that fails they stay, and are told of again.
+void Outbox::Parts::setDamagedLinesAside() {
+  const fs::path aside = folder / kDamagedNotes;
+  const auto count = std::count(damagedLines.begin(), damagedLines.end(), '\n');
+  std::error_code ignored;
+  const auto earlier = fs::exists(aside, ignored) ? readTextFile(aside, kLargestNotes_bytes) : Result<std::string>();
+  const bool isKept = earlier && writePrivateFile(aside, *earlier + damagedLines) && shorten();
+  damage = isKept ? say<"%1 held lines that nobody can read (%2); they lie in %3 now. No copy is lost; where something stands is not "
+                        "known so well any more, and it may be sent once more. Look whether the receiver has something twice; then "
+                        "delete that file.">(inQuotes(notes()), count, inQuotes(aside))
+                  : say<"%1 holds lines that nobody can read (%2), and they cannot be moved to %3. No copy is lost; where something stands "
+                        "is not known so well any more, and it may be sent once more. Check the folder, its permissions and the free "
+                        "space.">(inQuotes(notes()), count, inQuotes(aside));
+}
+
+/// Lines that later ones have made idle go; where that fails they stay. @return whether they went
+bool Outbox::Parts::shorten() {
   std::string text = headOfNotes();
   for (const std::string& id : arrived) text += lineOf(OutboxEntry{.id = id, .status = OutboxStatus::arrived});
   for (const OutboxEntry& entry : entries) text += lineOf(entry);
-  if (writePrivateFile(notes(), text)) notes_bytes = text.size();
+  if (!writePrivateFile(notes(), text)) return false;
+  notes_bytes = text.size();
+  return true;
 }
 
 /// Behind the last whole line, and on the disk.
@@ -339,6 +368,8 @@ std::vector<Error> Outbox::unreadable() const {
   for (const auto& [id, problem] : parts_->unreadable) all.push_back(problem);
   return all;
 }
+
+const std::optional<Message>& Outbox::damage() const { return parts_->damage; }
 
 fs::path Outbox::copyOf(const OutboxEntry& entry) const {
   const auto found = parts_->copies.find(entry.id);

@@ -60,7 +60,8 @@ struct OutboxKind {
 /// Things on their way to one receiver, in a folder of their own that only its owner reads: a copy of each (ID and ending, with a number
 /// before it where the order counts) and `notes`, a line for every change of where one stands, the latest last. Each is on the disk before
 /// it is relied on: the copy before its note, the note before a copy is removed. So after a crash or without a network nothing is lost, and
-/// what has one id is never taken twice, also after it was sent. One program at a time has the folder.
+/// what has one id is never taken twice, also after it was sent. What was refused and whose copy somebody has deleted is given up: it is no
+/// entry any more, and may be added again. One program at a time has the folder.
 class Outbox {
  public:
   /// Makes the folder when it is not there, for its owner alone. A copy without a note counts as waiting; what cannot be read is left out
@@ -77,6 +78,9 @@ class Outbox {
   [[nodiscard]] std::size_t count(OutboxStatus status) const;
   /// Notes and copies that lie here and cannot be read, each with its name and what to do.
   [[nodiscard]] std::vector<Error> unreadable() const;
+  /// That notes were damaged when it was opened, and what to do. Their lines are kept in a file beside the notes, so that the next one who
+  /// opens it is not told again. Empty: they were whole.
+  [[nodiscard]] const std::optional<Message>& damage() const;
   [[nodiscard]] std::filesystem::path copyOf(const OutboxEntry& entry) const;
 
   /// Whether it is here or was sent before.

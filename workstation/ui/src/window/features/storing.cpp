@@ -50,23 +50,31 @@ QString waitingIn(const fs::path& folder) {
   if (!outbox) return words(outbox.error());
   const auto waiting = static_cast<int>(outbox->count(OutboxStatus::waiting) + outbox->count(OutboxStatus::stored));
   const auto refused = static_cast<int>(outbox->count(OutboxStatus::refused));
-  QString sentence;
-  if (waiting > 0) sentence = Storing::tr("Waiting in the outbox, sent with what comes next: %1.").arg(waiting);
+  QString sentence = outbox->damage() ? words(*outbox->damage()) : QString();
+  const auto gap = [&sentence] { return sentence.isEmpty() ? QString() : QStringLiteral(" "); };
+  if (waiting > 0) sentence += gap() + Storing::tr("Waiting in the outbox, sent with what comes next: %1.").arg(waiting);
   if (refused == 0) return sentence;
   for (const OutboxEntry& entry : outbox->entries())
     if (entry.status == OutboxStatus::refused)
-      return sentence + (sentence.isEmpty() ? QString() : QStringLiteral(" ")) +
+      return sentence + gap() +
              Storing::tr("Refused by the archive, and offered to it again: %1 (%2).").arg(QString::number(refused), words(entry.problem));
   return sentence;
 }
 
-/// Puts everything into the outbox and sends what is there. @param sent what came of it
-Result<void> sendThroughOutbox(const ExaminationFiles& examination, const DicomArchive& archive, const fs::path& folder, SendResult& sent,
+/// What came of sending.
+struct Sent {
+  SendResult result;
+  std::optional<Message> damage;  ///< of the outbox
+};
+
+/// Puts everything into the outbox and sends what is there.
+Result<void> sendThroughOutbox(const ExaminationFiles& examination, const DicomArchive& archive, const fs::path& folder, Sent& sent,
                                Progress& progress) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   auto outbox = DicomOutbox::open(folder);
   if (!outbox) return passOn(outbox.error());
+  sent.damage = outbox->damage();
   const fs::path incoming = folder / "incoming";
   fs::remove_all(incoming, failed);
   if (!fs::create_directory(incoming, failed))
@@ -82,7 +90,7 @@ Result<void> sendThroughOutbox(const ExaminationFiles& examination, const DicomA
   options.mostRounds = kRounds;
   auto result = sendOutbox(*outbox, archive, options, progress);
   if (!result) return passOn(result.error());
-  sent = std::move(*result);
+  sent.result = std::move(*result);
   return {};
 }
 
@@ -218,7 +226,7 @@ void Storing::send() {
   WindowParts& p = parts_;
   if (isSending_ || dialog_.isNull()) return;
   const DicomArchive archive = dialog_->archive();
-  auto sent = std::make_shared<SendResult>();
+  auto sent = std::make_shared<Sent>();
   isSending_ = true;
   dialog_->setSending(true);
   p.jobs.start(
@@ -231,20 +239,21 @@ void Storing::send() {
         isSending_ = false;
         // What is in the outbox is lost no more, whether the archive has it or not.
         if (outcome) setSaved(parts.stored, parts.worksheets, revision, sheets);
+        if (sent->damage) parts.messages->showError(words(*sent->damage));
         if (!outcome) {
           parts.messages->showError(outcome.error(), kSending);
-        } else if (sent->left == 0 && sent->refused == 0) {
+        } else if (sent->result.left == 0 && sent->result.refused == 0) {
           parts.messages->showNote(
-              sent->accepted > 0
+              sent->result.accepted > 0
                   ? tr("The archive %1 said that it stored everything (%2); it cannot be asked what it has, so this counts as delivered.")
-                        .arg(words(archive.aeTitle), QString::number(sent->accepted + sent->verified))
-              : sent->verified == 0
-                  ? tr("The archive %1 has everything already.").arg(words(archive.aeTitle))
-                  : tr("The archive %1 has everything now; new to it: %2.").arg(words(archive.aeTitle), QString::number(sent->verified)),
+                        .arg(words(archive.aeTitle), QString::number(sent->result.accepted + sent->result.verified))
+              : sent->result.verified == 0 ? tr("The archive %1 has everything already.").arg(words(archive.aeTitle))
+                                           : tr("The archive %1 has everything now; new to it: %2.")
+                                                 .arg(words(archive.aeTitle), QString::number(sent->result.verified)),
               kSending);
         } else {
           parts.messages->showError(tr("Not in the archive yet, but safe in the outbox: %1. %2")
-                                        .arg(QString::number(sent->left + sent->refused), words(sent->problem)),
+                                        .arg(QString::number(sent->result.left + sent->result.refused), words(sent->result.problem)),
                                     kSending);
         }
         if (dialog_.isNull()) return;
