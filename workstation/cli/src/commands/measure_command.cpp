@@ -10,6 +10,7 @@
 #include "ew/library/case.h"
 #include "ew/measurement/package.h"
 #include "ew/measurement/worksheet.h"
+#include "ew/reports/message_catalogue.h"
 #include "ew/reports/report_pdf.h"
 #include "ew/reports/worksheet_report.h"
 #include "run/arguments.h"
@@ -200,7 +201,10 @@ Result<void> writeOutput(const std::string& file, const std::string& text, Run& 
 /// As a page to print.
 Result<void> writePage(const MeasureArguments& arguments, const Worksheet& sheet, Run& run) {
   if (arguments.pdf.empty()) return {};
-  const auto pdf = pdfOf(worksheetReport(sheet, {}, arguments.language), {.language = arguments.language});
+  const auto catalogue = MessageCatalogue::ofLanguage(arguments.language);
+  if (!catalogue) return passOn(catalogue.error());
+  const auto pdf = pdfOf(worksheetReport(sheet, {}, arguments.language),
+                         {.language = arguments.language, .words = [&](const Message& message) { return catalogue->words(message); }});
   return pdf ? writeOutput(arguments.pdf, *pdf, run) : passOn(pdf.error());
 }
 
@@ -303,7 +307,9 @@ void addMeasure(CLI::App& root, Selection& selection) {
   app.add_option("--several", arguments->several, "What counts of several measurements of an item: mean, last or selected (mean)")
       ->check(CLI::IsMember({"mean", "last", "selected"}))
       ->type_name("HOW");
-  app.add_option("--language", arguments->language, "Of titles: en or de (en)")->check(CLI::IsMember({"en", "de"}))->type_name("LANGUAGE");
+  app.add_option("--language", arguments->language, "Of titles, and of the pages to print: en or de (en)")
+      ->check(CLI::IsMember({"en", "de"}))
+      ->type_name("LANGUAGE");
   app.add_option("--json", arguments->json, "Write the worksheet as JSON")->type_name("OUT.json");
   app.add_option("--csv", arguments->csv, "Write the worksheet as a table for a spreadsheet")->type_name("OUT.csv");
   app.add_option("--pdf", arguments->pdf, "Write the worksheet as pages to print (A4)")->type_name("OUT.pdf");
