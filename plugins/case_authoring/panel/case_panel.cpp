@@ -20,6 +20,7 @@
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/scroll_rows.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "panel/fields.h"
@@ -69,12 +70,10 @@ QWidget* CasePanel::makeForm() {
   column->setSpacing(0);
   column->addWidget(makeTakenRow());
   column->addWidget(makeNoVolumeRow());
-  scroll_ = new QScrollArea;
-  scroll_->setWidgetResizable(true);
-  auto* body = new QWidget;
-  sectionColumn_ = new QVBoxLayout(body);
-  sectionColumn_->setContentsMargins(2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px, 2 * kGrid_px);
-  sectionColumn_->setSpacing(kGrid_px);
+  auto* rows = new ScrollRows(2 * kGrid_px);
+  rows->setObjectName(QStringLiteral("caseFormRows"));
+  scroll_ = rows;
+  sectionColumn_ = rows->rows();
   addCaseSection();
   addPatientSection();
   addBeforeSection();
@@ -84,7 +83,6 @@ QWidget* CasePanel::makeForm() {
   addScene(&addSection(QStringLiteral("scene"), tr("Scene"))->form());
   addVolumeSection();
   sectionColumn_->addStretch(1);
-  scroll_->setWidget(body);
   column->addWidget(scroll_, 1);
   column->addWidget(makeSaveRow());
   return page;

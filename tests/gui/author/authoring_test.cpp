@@ -33,6 +33,7 @@
 #include "ew/ui_test_door/annotate.h"
 #include "ew/ui_test_door/start.h"
 #include "gui/support/answers.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 
@@ -140,6 +141,23 @@ class AuthoringTest : public WindowFixture {
     QCOMPARE(inPanel<QListWidget>("presets")->horizontalScrollBarPolicy(), Qt::ScrollBarAlwaysOff);
   }
 
+  void theFormAloneScrollsAndItsButtonsStayInSight() {
+    showWindow();
+    author(files_.writeCase(QStringLiteral("small")));
+    window_->resize(1024, 640);
+    QTest::qWait(50);
+    const QScrollArea* around = nullptr;
+    for (QWidget* each = panel()->parentWidget(); each != nullptr && around == nullptr; each = each->parentWidget())
+      around = qobject_cast<QScrollArea*>(each);
+    QVERIFY(around != nullptr);
+    QCOMPARE(around->verticalScrollBar()->maximum(), 0);
+    QVERIFY(inPanel<QScrollArea>("caseFormRows")->verticalScrollBar()->maximum() > 0);
+    for (const char* name : {"save", "saveAs", "checkCase", "publishCase"}) {
+      const auto* button = inPanel<QPushButton>(name);
+      QCOMPARE(button->visibleRegion().boundingRect(), button->rect());
+    }
+  }
+
   void aNewCaseFromASweepOpensInAuthor() {
     const QString sweep = files_.writeSweep(QStringLiteral("liver.igs.mha"));
     showWindow();
@@ -176,7 +194,7 @@ class AuthoringTest : public WindowFixture {
     QCOMPARE(opened.title, std::string("Liver, a sweep"));
     QCOMPARE(opened.titleForTrainees, std::string("Right upper abdomen"));
     QCOMPARE(opened.folder, std::filesystem::path(files_.path(QStringLiteral("own cases")).toStdString()) / "liver-a-sweep");
-    QVERIFY(validateCase(opened.folder).empty());
+    QVERIFY(validateCaseAside(opened.folder).empty());
     QVERIFY(session().subject().has_value());
     QVERIFY(waitUntil([this] { return panel() != nullptr && panel()->isVisible(); }));
     QVERIFY(!document().hasUnsavedChanges());
@@ -304,7 +322,7 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(!hasNoVolume(*document().current()));
     QCOMPARE(rightsOf(*document().current()).licence, std::string("CC0 1.0"));
     QVERIFY(document().save().has_value());
-    QVERIFY(validateCase(document().current()->folder).empty());
+    QVERIFY(validateCaseAside(document().current()->folder).empty());
     document().history().undo();
     QVERIFY(waitUntil([this] { return !session().subject() && window_->isSettled(); }));
     document().history().redo();
@@ -361,7 +379,7 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(inPanel<QLabel>("examination_0_picture_0") != nullptr);
     keepScreenshot(*window_, "pictures");
     QVERIFY(document().save().has_value());
-    QVERIFY(validateCase(document().current()->folder).empty());
+    QVERIFY(validateCaseAside(document().current()->folder).empty());
     inPanel<QToolButton>("examination_0_removePicture_0")->click();
     QVERIFY(document().current()->previousExaminations.at(0).images.empty());
   }
@@ -380,7 +398,7 @@ class AuthoringTest : public WindowFixture {
     marks->item(marks->count() - 1)->setCheckState(Qt::Checked);
     QCOMPARE(bodyMarksOf(*document().current()).size(), std::size_t(1));
     QVERIFY(document().save().has_value());
-    QVERIFY(validateCase(document().current()->folder).empty());
+    QVERIFY(validateCaseAside(document().current()->folder).empty());
     const Knobs before = session().console().knobs();
     QVERIFY(openCase(QString::fromStdString(document().current()->folder.string())));
     QVERIFY(waitForRest());
@@ -484,7 +502,7 @@ class AuthoringTest : public WindowFixture {
                     }}});
     inPanel<QPushButton>("save")->click();
     QVERIFY(asked.asked.contains(QStringLiteral("caseFolderDialog")));
-    QCOMPARE(loadCase(ownCasesFolder() / "mine")->title, std::string("Mine"));
+    QCOMPARE(loadCaseAside(ownCasesFolder() / "mine")->title, std::string("Mine"));
     QVERIFY(verifyBundle(bundle.toStdString()).has_value());
     qputenv("ECHOWEAVE_LIBRARY", files_.path(QStringLiteral("library")).toUtf8());
     qputenv("ECHOWEAVE_CASES", files_.path(QStringLiteral("own cases")).toUtf8());
@@ -528,7 +546,7 @@ class AuthoringTest : public WindowFixture {
     QTest::keyClicks(title, QStringLiteral("!"));
     QCOMPARE(document().current()->title, std::string("Window test!"));
     QVERIFY(document().save().has_value());
-    QCOMPARE(loadCase(folder.toStdString())->title, std::string("Window test"));
+    QCOMPARE(loadCaseAside(folder.toStdString())->title, std::string("Window test"));
   }
 
   void theStartPageOffersToBeginACase() {
