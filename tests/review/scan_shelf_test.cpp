@@ -131,6 +131,19 @@ TEST_F(ScanShelfTest, HoldsLessonsThatWereTriedAndThoseAtHand) {
   EXPECT_TRUE(shelf->problems.empty());
 }
 
+TEST_F(ScanShelfTest, HoldsWhatTheLessonsAreCalledInTheReadersLanguage) {
+  const fs::path folder = makeCase("a", "one");
+  const auto asWritten = readShelf(root_ / "library", folder);
+  ASSERT_TRUE(asWritten);
+  const std::string title = asWritten->lessons.front().lesson.title;
+  ASSERT_TRUE(setCaseWord(folder, "de", title, "Auf Deutsch"));
+  EXPECT_EQ(asWritten->lessons.front().words.of(title), title);
+  const auto german = readShelf(root_ / "library", folder, noProgress(), "de_AT");
+  ASSERT_TRUE(german);
+  EXPECT_EQ(german->lessons.front().lesson.title, title) << "attempts are compared with the lesson as it was written";
+  EXPECT_EQ(german->lessons.front().words.of(title), "Auf Deutsch");
+}
+
 TEST_F(ScanShelfTest, OpensTheExpertsPartAndTheTraineesStep) {
   const fs::path folder = makeCase("a", "one");
   const fs::path attempt = makeAttempt("20260101-000000-00000001", "one");

@@ -110,7 +110,7 @@ ScanLog formedIn(const ScanLog& log, const Scene& scene) {
   return made;
 }
 
-Result<ScanShelf> readShelf(const fs::path& library, const fs::path& openCase, Progress& progress) {
+Result<ScanShelf> readShelf(const fs::path& library, const fs::path& openCase, Progress& progress, const std::string& language) {
   progress.report(say<"Looking for attempts">(), 0.0);
   ScanShelf shelf;
   AttemptList list = listAttempts(attemptsFolder(library));
@@ -139,10 +139,11 @@ Result<ScanShelf> readShelf(const fs::path& library, const fs::path& openCase, P
       shelf.problems.push_back(std::move(lessons.error()));
       continue;
     }
+    const CaseWords words = language.empty() ? CaseWords() : wordsOf(home.folder, language);
     for (Lesson& lesson : *lessons) {
       auto tried = byLesson[home.id].extract(lesson.id);
       if (tried.empty() && !(isOpen && home.folder == openCase)) continue;
-      shelf.lessons.push_back({home, std::move(lesson), {}});
+      shelf.lessons.push_back({home, std::move(lesson), {}, words});
       if (!tried.empty()) shelf.lessons.back().attempts = std::move(tried.mapped());
     }
   }

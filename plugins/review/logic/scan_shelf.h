@@ -8,6 +8,7 @@
 #include "ew/core/progress.h"
 #include "ew/library/attempt.h"
 #include "ew/library/case.h"
+#include "ew/library/case_words.h"
 #include "ew/library/lesson.h"
 #include "ew/scanning/recording.h"
 #include "logic/review_clock.h"
@@ -61,6 +62,7 @@ struct LessonAttempts {
   Case home;
   Lesson lesson;
   std::vector<std::pair<std::filesystem::path, Attempt>> attempts;  ///< the latest first
+  CaseWords words = {};                                             ///< of `home`, in the reader's language; lesson and case are as written
 };
 /// What can be reviewed.
 struct ScanShelf {
@@ -69,9 +71,10 @@ struct ScanShelf {
   std::size_t strayAttempts = 0;        ///< of lessons that are in no case here
 };
 /// Lessons that somebody has tried, and those of the case at hand.
-/// @param openCase folder of the case that is open; empty: none @error cancelled
+/// @param openCase folder of the case that is open; empty: none
+/// @param language of whoever reads it, as wordsOf takes it; empty: as the lessons were written @error cancelled
 [[nodiscard]] Result<ScanShelf> readShelf(const std::filesystem::path& library, const std::filesystem::path& openCase,
-                                          Progress& progress = noProgress());
+                                          Progress& progress = noProgress(), const std::string& language = {});
 
 /// Where the case of a recording is: one of the cases at hand, else in the library. @error notFound (with what to do)
 [[nodiscard]] Result<std::filesystem::path> caseOf(const ScanExcerpt& scan, const ScanShelf& shelf, const std::filesystem::path& library);

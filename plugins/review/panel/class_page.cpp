@@ -156,7 +156,8 @@ const ClassStep* ClassPage::shownStep() const {
 
 QString ClassPage::titleOfStep(const ClassStep& step) const {
   const LessonStep* now = lessonStep(step.stepId);
-  return words(now != nullptr ? now->title : step.title.empty() ? step.stepId : step.title);
+  const std::string& title = now != nullptr ? now->title : step.title.empty() ? step.stepId : step.title;
+  return words(selection_.lesson() != nullptr ? selection_.lesson()->words.of(title) : title);
 }
 
 void ClassPage::workOut() {
@@ -174,7 +175,7 @@ void ClassPage::refresh() {
   heading_->setText(of == nullptr ? tr("No lesson is chosen")
                                   : (class_.size() == 1 ? tr("%1: one attempt")
                                                         : tr("%1: %2 attempts").arg(QStringLiteral("%1"), QString::number(class_.size())))
-                                        .arg(words(of->lesson.title)));
+                                        .arg(words(of->words.of(of->lesson.title))));
   if (shownStep() == nullptr && figures_.hardest) stepId_ = figures_.steps[*figures_.hardest].stepId;
   if (shownStep() == nullptr) stepId_ = rows_.empty() ? std::string() : rows_.front().stepId;
   showHardest();

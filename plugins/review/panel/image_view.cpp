@@ -157,11 +157,12 @@ QString ImageView::titleOfScan() const {
   const ReviewScan* scan = scans_.opened(side_);
   if (scan == nullptr) return {};
   const ScanChoice& choice = scan->scan->choice;
-  if (choice.attempt.empty()) return words(choice.title);
-  if (const LessonAttempts* of = selection_.lesson(); of != nullptr)
-    for (const auto& [folder, tried] : of->attempts)
-      if (folder == choice.attempt) return tr("%1: %2", "person: step").arg(reviewer_.personOf(tried), words(choice.title));
-  return words(choice.title);
+  const LessonAttempts* of = selection_.lesson();
+  const QString title = words(of != nullptr ? of->words.of(choice.title) : choice.title);
+  if (choice.attempt.empty() || of == nullptr) return title;
+  for (const auto& [folder, tried] : of->attempts)
+    if (folder == choice.attempt) return tr("%1: %2", "person: step").arg(reviewer_.personOf(tried), title);
+  return title;
 }
 
 void ImageView::paintHead(QPainter& painter) const {

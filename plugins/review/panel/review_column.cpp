@@ -143,9 +143,9 @@ void ScansPage::refresh() {
   std::set<std::string> cases;
   for (const LessonAttempts& each : shelf.lessons) cases.insert(each.home.id);
   for (const LessonAttempts& each : shelf.lessons) {
-    const QString lesson = words(each.lesson.title);
-    lesson_->addItem(cases.size() < 2 ? lesson : tr("%1 – %2", "case – lesson").arg(words(each.home.title), lesson));
-    lesson_->setItemData(lesson_->count() - 1, words(each.home.title) + QStringLiteral(" – ") + lesson, Qt::ToolTipRole);
+    const QString lesson = words(each.words.of(each.lesson.title)), home = words(each.words.of(each.home.title));
+    lesson_->addItem(cases.size() < 2 ? lesson : tr("%1 – %2", "case – lesson").arg(home, lesson));
+    lesson_->setItemData(lesson_->count() - 1, home + QStringLiteral(" – ") + lesson, Qt::ToolTipRole);
   }
   lesson_->setCurrentIndex(selection_.lessonNumber() ? static_cast<int>(*selection_.lessonNumber()) : -1);
   lesson_->setEnabled(lesson_->count() > 0);
@@ -197,7 +197,8 @@ void ScansPage::showSteps() {
   for (const LessonStep& step : of->lesson.steps) {
     const auto* tried = selection_.attempt();
     const bool isRecorded = tried != nullptr && scanOfStep(tried->first, tried->second, step).has_value();
-    step_->addItem(isRecorded ? words(step.title) : tr("%1 (not recorded)").arg(words(step.title)), words(step.id));
+    const QString title = words(of->words.of(step.title));
+    step_->addItem(isRecorded ? title : tr("%1 (not recorded)").arg(title), words(step.id));
   }
   step_->setCurrentIndex(selection_.step() != nullptr ? step_->findData(words(selection_.step()->id)) : -1);
 }
@@ -208,7 +209,7 @@ void ScansPage::showComparisons() {
   const LessonAttempts* of = selection_.lesson();
   for (std::size_t n = 0; n < selection_.comparisons().size(); ++n) {
     const ScanChoice& scan = selection_.comparisons()[n];
-    QString text = words(scan.title);
+    QString text = words(of != nullptr ? of->words.of(scan.title) : scan.title);
     if (scan.watch) text = tr("Expert: %1").arg(text);
     for (std::size_t a = 0; of != nullptr && a < of->attempts.size(); ++a)
       if (of->attempts[a].first == scan.attempt)

@@ -9,7 +9,8 @@ ReviewDocument::ReviewDocument(const ReviewSelection& selection, AttemptComments
 }
 
 std::string ReviewDocument::title() const {
-  return selection_.lesson() != nullptr ? selection_.lesson()->lesson.title : tr("Review").toStdString();
+  const LessonAttempts* of = selection_.lesson();
+  return of != nullptr ? of->words.of(of->lesson.title) : tr("Review").toStdString();
 }
 
 std::string ReviewDocument::remark() const { return comments_.isSaved() ? std::string() : tr("not saved").toStdString(); }
