@@ -135,7 +135,7 @@ void TrackView::paintRuler(QPainter& painter) const {
   for (double at = std::ceil(first / step) * step; at <= last + 1e-9; at += step) {
     const double x = xOf(at);
     painter.drawLine(QPointF(x, rulerHeight() - 5.0), QPointF(x, rulerHeight() - 1.0));
-    const QString word = step < 1.0 ? clockText(at) : clockText(at).section(QLatin1Char('.'), 0, 0);
+    const QString word = step < 1.0 ? clockText(at) : clockSeconds(at);
     const QRectF room(x - 40.0, 0.0, 80.0, rulerHeight() - 4.0);
     if (room.right() - 20.0 <= width()) painter.drawText(room, Qt::AlignHCenter | Qt::AlignVCenter, word);
   }

@@ -40,7 +40,11 @@ QString signedFigure(double value, int decimals) {
   return (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) + plain;
 }
 
-QString clockText(double time_s) { return QString::fromStdString(minutesText(time_s)); }
+QString clockText(double time_s) {
+  return QString::fromStdString(minutesText(time_s)).replace(QLatin1Char('.'), QString(QLocale().decimalPoint()));
+}
+
+QString clockSeconds(double time_s) { return QString::fromStdString(minutesText(time_s)).section(QLatin1Char('.'), 0, 0); }
 
 QString memoryText(double bytes) {
   const auto [value, decimals, isGibibytes] = memoryFigure(bytes);

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ew/core/figures.h"
+#include "ew/widgets/figures.h"
 #include "ew/widgets/icons.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/time_line.h"
@@ -20,9 +20,8 @@
 namespace ew::ui {
 namespace {
 
-/// "0:07.4"
 /// The tenth that has begun, as clocks have it.
-QString clockOf(double time_s) { return QString::fromStdString(minutesText(std::floor(time_s * 10.0 + 1e-6) / 10.0)); }
+QString clockOf(double time_s) { return clockText(std::floor(time_s * 10.0 + 1e-6) / 10.0); }
 
 }  // namespace
 

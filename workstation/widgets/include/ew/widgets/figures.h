@@ -12,8 +12,10 @@ namespace ew {
 /// The same with its sign: +3.5, −3.5 and, when nothing but zeros is left of it, 0.0.
 [[nodiscard]] QString signedFigure(double value, int decimals);
 
-/// A time as "1:05.2"; before the beginning "-0:01.0".
+/// A time as "1:05.2", in German "1:05,2"; before the beginning "-0:01.0".
 [[nodiscard]] QString clockText(double time_s);
+/// The same without the tenths: "1:05".
+[[nodiscard]] QString clockSeconds(double time_s);
 /// A duration as "0.3 s", "2 min 5 s".
 [[nodiscard]] QString inSeconds(double seconds);
 /// Memory as "3.5 MiB", "512 MiB", "1.5 GiB".
