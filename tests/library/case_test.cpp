@@ -6,8 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ew/core/responsive_thread.h"
 #include "ew/library/new_case.h"
 #include "ew/library/schema.h"
 #include "least_case.h"
@@ -24,6 +27,12 @@ using test::smallest;
 using test::TemporaryFolder;
 using test::textOf;
 using test::writeText;
+
+/// Stops with the broken expectation, in builds that check contracts.
+void readOnAResponsiveThread(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& reading) {
+  const ResponsiveThread mark;
+  reading(folder);
+}
 
 json identityWith(std::size_t index, double value) {
   json rows = rowsOf(glm::dmat4(1.0));
@@ -45,6 +54,22 @@ Error onlyProblem(const json& manifest) {
     EXPECT_EQ(opened.error(), problems.front());
   }
   return problems.front();
+}
+
+TEST(LoadCase, IsNeverCalledOnAThreadThatSomebodyWaitsFor) {
+#ifndef EW_CHECK_CONTRACTS
+  GTEST_SKIP() << "this build checks no contracts";
+#else
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const TemporaryFolder folder;
+  makeCase(folder.path(), smallest());
+  using Path = const std::filesystem::path&;
+  EXPECT_DEATH(readOnAResponsiveThread(folder.path(), [](Path at) { (void)loadCase(at); }), "isResponsiveThread");
+  EXPECT_DEATH(readOnAResponsiveThread(folder.path(), [](Path at) { (void)validateCase(at); }), "isResponsiveThread");
+  EXPECT_DEATH(readOnAResponsiveThread(folder.path().parent_path(), [](Path at) { (void)listCases(at); }), "isResponsiveThread");
+  EXPECT_DEATH(readOnAResponsiveThread(folder.path(), [](Path at) { (void)caseFromManifest(smallest(), at); }), "isResponsiveThread");
+  EXPECT_TRUE(loadCase(folder.path())) << "without the mark nothing stops";
+#endif
 }
 
 TEST(LoadCase, OpensAFolderOrItsManifestAlike) {

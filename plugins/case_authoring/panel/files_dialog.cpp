@@ -4,10 +4,12 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-#include <optional>
+#include <memory>
+#include <utility>
 
 #include "ew/library/case.h"
 #include "ew/widgets/labels.h"
@@ -76,31 +78,46 @@ FilesDialog::FilesDialog(sdk::Host& host, QWidget* parent) : QDialog(parent), ho
   look();
 }
 
-void FilesDialog::look() {
+void FilesDialog::look(const std::optional<Error>& said) {
   const auto present = host_.cases().current();
   if (!present) {
     close();
     return;
   }
+  const int mine = ++looks_;
+  auto found = std::make_shared<Found>();
+  host_.jobs().start(
+      tr("Looking at the files of the case").toStdString(),
+      [found, present = *present](Progress&) -> Result<void> {
+        found->withdrawn = withdrawnFilesOf(present.folder);
+        auto uses = fileUsesOf(present);
+        if (!uses) return passOn(uses.error());
+        found->uses = std::move(*uses);
+        return {};
+      },
+      [this, alive = QPointer<FilesDialog>(this), found, mine, said](const Result<void>& done) {
+        if (!alive || looks_ != mine) return;
+        showFiles(*found, said ? *said : done ? std::optional<Error>() : done.error());
+      });
+}
+
+void FilesDialog::showFiles(const Found& found, const std::optional<Error>& problem) {
   list_->clear();
-  const auto files = fileUsesOf(*present);
-  if (files) {
-    for (const CaseFileUse& each : *files) {
-      const bool isUsed = !each.usedBy.empty();
-      auto* row = new QTreeWidgetItem(
-          list_, {words(each.path), sizeWords(each.size_bytes), isUsed ? words(joined(each.usedBy, ", ")) : tr("nothing")});
-      row->setTextAlignment(kSize, Qt::AlignRight | Qt::AlignVCenter);
-      row->setData(kFile, Qt::UserRole, !isUsed);
-    }
+  for (const CaseFileUse& each : found.uses) {
+    const bool isUsed = !each.usedBy.empty();
+    auto* row = new QTreeWidgetItem(
+        list_, {words(each.path), sizeWords(each.size_bytes), isUsed ? words(joined(each.usedBy, ", ")) : tr("nothing")});
+    row->setTextAlignment(kSize, Qt::AlignRight | Qt::AlignVCenter);
+    row->setData(kFile, Qt::UserRole, !isUsed);
   }
-  withdrawn_ = withdrawnFilesOf(present->folder);
+  withdrawn_ = found.withdrawn;
   aside_->setText(withdrawn_.empty()
                       ? QString()
                       : tr("Taken out before: %1. They lie in %2.")
                             .arg(namesOf(withdrawn_.front().paths).join(QStringLiteral(", ")), words(withdrawn_.front().folder.string())));
   aside_->setVisible(!withdrawn_.empty());
   putBack_->setEnabled(!withdrawn_.empty());
-  setProblem(problem_, files ? QString() : words(files.error()));
+  setProblem(problem_, problem ? words(*problem) : QString());
   showChosen();
 }
 
@@ -136,23 +153,33 @@ void FilesDialog::takeOut() {
   }
   const auto present = host_.cases().current();
   if (!present) return;
-  const auto taken = withdrawFiles(*present, paths, CaseEditor::caller);
-  look();
-  if (!taken) return fail(taken.error());
-  Q_EMIT filesChanged();
+  moveFiles(tr("Taking files out of the case"), [present = *present, paths]() -> Result<void> {
+    const auto taken = withdrawFiles(present, paths, CaseEditor::caller);
+    return taken ? Result<void>() : passOn(taken.error());
+  });
+}
+
+void FilesDialog::moveFiles(const QString& title, std::function<Result<void>()> work) {
+  takeOut_->setEnabled(false);
+  putBack_->setEnabled(false);
+  host_.jobs().startSaving(
+      title.toStdString(), [work = std::move(work)](Progress&) { return work(); },
+      [this, alive = QPointer<FilesDialog>(this)](const Result<void>& done) {
+        if (!alive) return;
+        if (!done) return fail(done.error());
+        look();
+        Q_EMIT filesChanged();
+      });
 }
 
 void FilesDialog::putBackLatest() {
   if (withdrawn_.empty()) return;
-  const auto back = putBack(withdrawn_.front());
-  look();
-  if (!back) return fail(back.error());
-  Q_EMIT filesChanged();
+  moveFiles(tr("Putting files back"), [latest = withdrawn_.front()] { return putBack(latest); });
 }
 
 void FilesDialog::fail(const Error& problem) {
   host_.log().warn(problem.sentence());
-  setProblem(problem_, words(problem));
+  look(problem);
 }
 
 }  // namespace ew::case_authoring

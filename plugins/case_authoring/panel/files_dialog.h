@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QDialog>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "ew/library/case_contents.h"
@@ -24,7 +26,14 @@ class FilesDialog final : public QDialog {
   void filesChanged();
 
  private:
-  void look();
+  struct Found {
+    std::vector<CaseFileUse> uses;
+    std::vector<WithdrawnFiles> withdrawn;
+  };
+  /// Reads anew what is there, in a job, and shows it. @param said what went wrong before, which stays to be read
+  void look(const std::optional<Error>& said = {});
+  void showFiles(const Found& found, const std::optional<Error>& problem);
+  void moveFiles(const QString& title, std::function<Result<void>()> work);  ///< in a job, then looks
   void showChosen();
   void takeOut();
   void putBackLatest();
@@ -37,6 +46,7 @@ class FilesDialog final : public QDialog {
   QPushButton* takeOut_ = nullptr;
   QPushButton* putBack_ = nullptr;
   std::vector<WithdrawnFiles> withdrawn_;  ///< the latest first
+  int looks_ = 0;                          ///< so far: what an earlier one found is not shown
   sdk::Cases::Ticket ticket_;
 };
 

@@ -1,6 +1,9 @@
 #include "editor/lesson_document.h"
 
+#include <QPointer>
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "ew/library/published.h"
 #include "ew/sdk/case_parts.h"
@@ -11,6 +14,24 @@ namespace {
 
 const std::string kPart(kLessonsPart);
 
+/// The user's own cases, the program's and those that are published, each id once and without `home`. In a job.
+std::vector<Case> casesBeside(const std::string& home, Progress& progress) {
+  std::vector<Case> all;
+  const auto add = [&](Case found) {
+    const bool isKnown = found.id == home || std::any_of(all.begin(), all.end(), [&](const Case& one) { return one.id == found.id; });
+    if (!isKnown) all.push_back(std::move(found));
+  };
+  std::vector<std::filesystem::path> roots = {ownCasesFolder()};
+  if (auto shipped = shippedCasesFolder()) roots.push_back(*shipped);
+  for (const auto& root : roots)
+    for (Case& each : listCases(root).cases) add(std::move(each));
+  for (const CaseRevision& each : listPublished(libraryFolder())) {
+    if (progress.cancelRequested()) break;
+    if (auto opened = loadCase(each.folder)) add(std::move(*opened));
+  }
+  return all;
+}
+
 }  // namespace
 
 LessonDocument::LessonDocument(sdk::Host& host, QObject* parent) : QObject(parent), host_(host) {
@@ -20,6 +41,8 @@ LessonDocument::LessonDocument(sdk::Host& host, QObject* parent) : QObject(paren
               }),
               host_.caseParts().onOpened([this](const std::filesystem::path&) {
                 library_.reset();
+                isReadingLibrary_ = false;
+                ++opened_;
                 typedIn_.clear();
                 read();
                 Q_EMIT opened();
@@ -63,37 +86,51 @@ Result<void> LessonDocument::edit(const QString& what, const std::string& mergeK
   return done;
 }
 
-const std::vector<Case>& LessonDocument::library() const {
-  if (library_) return *library_;
-  library_.emplace();
-  const auto add = [&](Case found) {
-    const bool isKnown = (home_ && found.id == home_->id) ||
-                         std::any_of(library_->begin(), library_->end(), [&](const Case& one) { return one.id == found.id; });
-    if (!isKnown) library_->push_back(std::move(found));
-  };
-  std::vector<std::filesystem::path> roots = {ownCasesFolder()};
-  if (auto shipped = shippedCasesFolder()) roots.push_back(*shipped);
-  for (const auto& root : roots)
-    for (Case& each : listCases(root).cases) add(std::move(each));
-  for (const CaseRevision& each : listPublished(libraryFolder()))
-    if (auto opened = loadCase(each.folder)) add(std::move(*opened));
-  return *library_;
+const std::vector<Case>& LessonDocument::library() {
+  if (!library_) readLibrary();
+  return library_ ? *library_ : noCases_;
 }
 
-const Case* LessonDocument::caseById(const std::string& id) const {
+void LessonDocument::readLibrary() {
+  if (std::exchange(isReadingLibrary_, true)) return;
+  const int of = opened_;
+  auto found = std::make_shared<std::vector<Case>>();
+  host_.jobs().start(
+      tr("Looking for cases that a step may scan").toStdString(),
+      [found, home = home_ ? home_->id : std::string()](Progress& progress) -> Result<void> {
+        *found = casesBeside(home, progress);
+        return {};
+      },
+      [document = QPointer<LessonDocument>(this), found, of](const Result<void>& done) {
+        if (!document || document->opened_ != of) return;
+        document->isReadingLibrary_ = false;
+        if (!done) return;  // asked for again by whoever looks next
+        document->library_ = std::move(*found);
+        Q_EMIT document->changed();
+      });
+}
+
+const Case* LessonDocument::caseById(const std::string& id) {
   for (const Case& each : library())
     if (each.id == id) return &each;
   return nullptr;
 }
 
-const Case* LessonDocument::scannedBy(const LessonStep& step) const {
+const Case* LessonDocument::scannedBy(const LessonStep& step) {
   if (!home_) return nullptr;
   return step.caseId.empty() || step.caseId == home_->id ? &*home_ : caseById(step.caseId);
 }
 
-std::vector<LessonProblem> LessonDocument::problemsOf(const Lesson& lesson) const {
+std::vector<LessonProblem> LessonDocument::problemsOf(const Lesson& lesson) {
   if (!home_) return {};
-  return ew::problemsOf(lesson, *home_, [this](const std::string& id) { return caseById(id); });
+  auto problems = ew::problemsOf(lesson, *home_, [this](const std::string& id) { return caseById(id); });
+  // Until the library was read nobody knows what is in it.
+  if (!library_)
+    std::erase_if(problems, [&](const LessonProblem& problem) {
+      const LessonStep* step = stepIn(lesson, problem.stepId);
+      return step != nullptr && !step->caseId.empty() && step->caseId != home_->id;
+    });
+  return problems;
 }
 
 Result<void> LessonDocument::makeOwn() { return host_.cases().makeOwn(); }

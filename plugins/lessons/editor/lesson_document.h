@@ -36,12 +36,13 @@ class LessonDocument final : public QObject {
   /// While changed() is told: whether an edit from here is its cause, so that fields are as the user typed them.
   [[nodiscard]] bool isEditing() const { return editing_; }
 
-  /// What keeps a lesson from being worked through.
-  [[nodiscard]] std::vector<LessonProblem> problemsOf(const Lesson& lesson) const;
-  /// Cases that a step may scan besides this one; looked for once for each case that is opened.
-  [[nodiscard]] const std::vector<Case>& library() const;
+  /// What keeps a lesson from being worked through. Of steps that scan another case nothing until library() was read.
+  [[nodiscard]] std::vector<LessonProblem> problemsOf(const Lesson& lesson);
+  /// Cases that a step may scan besides this one; read in a job, once for each case that is opened, when first asked for. Empty until then;
+  /// changed() tells of it.
+  [[nodiscard]] const std::vector<Case>& library();
   /// What a step scans; null: its case is not in the library, or none is open.
-  [[nodiscard]] const Case* scannedBy(const LessonStep& step) const;
+  [[nodiscard]] const Case* scannedBy(const LessonStep& step);
   /// Before files are put into folder(): a shipped case is copied first, which the user is asked about. @error as Cases::makeOwn
   [[nodiscard]] Result<void> makeOwn();
 
@@ -51,7 +52,8 @@ class LessonDocument final : public QObject {
 
  private:
   void read();
-  [[nodiscard]] const Case* caseById(const std::string& id) const;
+  void readLibrary();
+  [[nodiscard]] const Case* caseById(const std::string& id);
 
   sdk::Host& host_;
   std::optional<Case> home_;
@@ -60,7 +62,10 @@ class LessonDocument final : public QObject {
   bool editing_ = false;
   std::string typedIn_;   ///< merge key of the last edit
   Lessons beforeTyping_;  ///< as they were before the edits under that key
-  mutable std::optional<std::vector<Case>> library_;
+  std::optional<std::vector<Case>> library_;
+  std::vector<Case> noCases_;  ///< what is known before it was read
+  bool isReadingLibrary_ = false;
+  int opened_ = 0;  ///< cases so far: what was read for an earlier one is not taken
   std::vector<sdk::Ticket> tickets_;
 };
 

@@ -137,14 +137,32 @@ void LessonPlayer::openStep() {
   leaveWaiting_->hide();  // what is gone in a moment is not to be pressed by mistake
   pages_->setCurrentIndex(kWaiting);
   const auto opened = openCase();
-  if (!opened || opened->id != wanted) {
-    const auto folder = wanted == homeCase_ ? Result<std::filesystem::path>(homeFolder_) : folderOfCase(wanted);
-    if (!folder) return fail(folder.error());
-    if (auto opening = host_.cases().open(*folder); !opening) return fail(opening.error());
-    return waitFor(tr("Opening the case of this step…"));
-  }
+  if (!opened || opened->id != wanted) return wanted == homeCase_ ? openCaseIn(homeFolder_) : findAndOpen(wanted);
   if (truth_) return startStep(truth_);
   loadTruth(*opened);
+}
+
+void LessonPlayer::openCaseIn(const std::filesystem::path& folder) {
+  if (auto opening = host_.cases().open(folder); !opening) return fail(opening.error());
+  waitFor(tr("Opening the case of this step…"));
+}
+
+void LessonPlayer::findAndOpen(const std::string& caseId) {
+  const int load = ++loads_;
+  auto found = std::make_shared<std::filesystem::path>();
+  host_.jobs().start(
+      tr("Looking for the case of this step").toStdString(),
+      [found, caseId](Progress&) -> Result<void> {
+        auto folder = folderOfCase(caseId);
+        if (!folder) return passOn(folder.error());
+        *found = std::move(*folder);
+        return {};
+      },
+      [panel = QPointer<LessonPlayer>(this), found, load](const Result<void>& done) {
+        if (!panel || panel->loads_ != load || !panel->run_) return;
+        if (!done) return panel->fail(done.error());
+        panel->openCaseIn(*found);
+      });
 }
 
 void LessonPlayer::waitFor(const QString& what) {

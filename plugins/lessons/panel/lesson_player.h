@@ -52,6 +52,8 @@ class LessonPlayer final : public QWidget {
   void openStep();  ///< makes ready what the step scans, and starts it
   /// Says what a step waits for that may take long, or never come: the lesson can be left meanwhile.
   void waitFor(const QString& what);
+  void openCaseIn(const std::filesystem::path& folder);  ///< which the step scans
+  void findAndOpen(const std::string& caseId);           ///< the same where only the library knows the folder
   void loadTruth(const Case& opened);
   void startStep(std::shared_ptr<const CaseTruth> truth);
   void takeUpLeft();
@@ -94,7 +96,7 @@ class LessonPlayer final : public QWidget {
   OutcomePage* outcome_ = nullptr;
 };
 
-/// The folder of a case by its id: the user's own, published or shipped. @error notFound
+/// The folder of a case by its id: the user's own, published or shipped. It reads cases, and so belongs into a job. @error notFound
 [[nodiscard]] Result<std::filesystem::path> folderOfCase(const std::string& id);
 
 }  // namespace ew::lessons

@@ -2,8 +2,12 @@
 
 #include <QLabel>
 #include <QLocale>
+#include <QPointer>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <memory>
 
 #include "ew/assessment/attempt_result.h"
 #include "ew/assessment/repetition_record.h"
@@ -24,11 +28,52 @@ namespace ew::lessons {
 
 namespace {
 
-enum PanelPage { kEmpty, kList, kPlayer, kExercises };
+enum PanelPage { kEmpty, kList, kPlayer, kExercises, kReading };
+
+constexpr const char* kListedFolder = "listedFolder";  ///< property of the list: of the case whose lessons it shows
 
 std::filesystem::path ownAttempts() { return attemptsFolder(libraryFolder()); }
 
+/// As the library judges, but by the lessons of the open case while these are as they were tried: it may lie where no library looks. It
+/// reads cases, and so belongs into a job.
+AttemptJudge judgeBy(const std::vector<Lesson>& lessons) {
+  return [lessons, byLibrary = attemptJudgeOf(libraryFolder())](const std::filesystem::path& folder, const Attempt& attempt) {
+    const auto lesson = std::find_if(lessons.begin(), lessons.end(), [&](const Lesson& each) { return each.id == attempt.lessonId; });
+    if (lesson == lessons.end() || contentOf(*lesson) != attempt.lessonContent) return byLibrary(folder, attempt);
+    const auto plan = readPlan(libraryFolder(), attempt.caseId, attempt.lessonId);
+    const AttemptResult result = attemptResultOf(attempt, &*lesson, plan ? *plan : AssessmentPlan{}, latestScore(folder));
+    return AttemptTally{result.stepsPassed, result.stepsJudged, result.passed().value_or(false)};
+  };
+}
+
 }  // namespace
+
+/// What the list shows, as a job reads it.
+struct PlayerPanel::Listing {
+  CaseWords words;
+  std::vector<Lesson> translated;
+  std::vector<LessonStanding> standings;  ///< of each
+  std::vector<RepetitionState> repetitions;
+  Message note;  ///< on these; may be empty
+
+  static Listing of(const Case& home, const std::vector<Lesson>& lessons, const std::string& person, const std::string& language) {
+    Listing read;
+    AttemptList attempts = listAttempts(ownAttempts());
+    std::erase_if(attempts.attempts, [&](const auto& each) { return each.second.caseId != home.id; });
+    const LearningProgress standings(attempts, person, judgeBy(lessons));
+    read.words = wordsOf(home.folder, language);
+    for (const Lesson& lesson : lessons) {
+      read.standings.push_back(standings.of(home.id, lesson));
+      read.translated.push_back(ew::translated(lesson, read.words));
+    }
+    // What it cannot be read for is told when they begin.
+    if (const auto kept = readRepetition(repetitionFile(libraryFolder(), person))) {
+      read.repetitions = kept->states;
+      if (kept->note) read.note = *kept->note;
+    }
+    return read;
+  }
+};
 
 PlayerPanel::PlayerPanel(sdk::Host& host, std::function<void(bool)> working, QWidget* parent)
     : QWidget(parent), host_(host), working_(std::move(working)) {
@@ -55,6 +100,7 @@ PlayerPanel::PlayerPanel(sdk::Host& host, std::function<void(bool)> working, QWi
   pages_->addWidget(player_);
   exercises_ = new ExercisePlayer(host_);
   pages_->addWidget(exercises_);
+  pages_->addWidget(new QWidget);
   column->addWidget(pages_, 1);
 
   connect(list_, &LessonList::startAsked, this, [this](const QString& id) { begin(id.toStdString()); });
@@ -109,40 +155,38 @@ bool PlayerPanel::isAtWork() const { return player_->run() != nullptr || exercis
 
 void PlayerPanel::stop() {
   if (working_) working_(false);
-  pages_->setCurrentIndex(kEmpty);  // what is listed is read anew
+  pages_->setCurrentIndex(kReading);  // what is listed is read anew
   showCase();
 }
 
-/// As the library judges, but by the lessons of the open case while these are as they were tried: it may lie where no library looks.
-AttemptJudge PlayerPanel::judge() const {
-  return [this, byLibrary = attemptJudgeOf(libraryFolder())](const std::filesystem::path& folder, const Attempt& attempt) {
-    const Lesson* lesson = lessonOf(attempt.lessonId);
-    if (lesson == nullptr || contentOf(*lesson) != attempt.lessonContent) return byLibrary(folder, attempt);
-    const auto plan = readPlan(libraryFolder(), attempt.caseId, attempt.lessonId);
-    const AttemptResult result = attemptResultOf(attempt, lesson, plan ? *plan : AssessmentPlan{}, latestScore(folder));
-    return AttemptTally{result.stepsPassed, result.stepsJudged, result.passed().value_or(false)};
-  };
+void PlayerPanel::showLessons() {
+  const int mine = ++listings_;
+  if (!case_ || (lessons_.empty() && !ExerciseCard::couldAsk(*case_))) return pages_->setCurrentIndex(kEmpty);
+  if (pages_->currentIndex() != kList || list_->property(kListedFolder).toString() != words(case_->folder.string()))
+    pages_->setCurrentIndex(kReading);
+  auto read = std::make_shared<Listing>();
+  host_.jobs().start(
+      tr("Reading your attempts").toStdString(),
+      [read, home = *case_, lessons = lessons_, person = sdk::personWhoLearns(),
+       language = QLocale().name().toStdString()](Progress&) -> Result<void> {
+        *read = Listing::of(home, lessons, person, language);
+        return {};
+      },
+      [panel = QPointer<PlayerPanel>(this), read, mine](const Result<void>& done) {
+        if (!panel || panel->listings_ != mine || panel->isAtWork()) return;
+        if (!done && done.error().code != ErrorCode::cancelled) panel->fail(done.error());
+        if (done) panel->showListing(*read);
+      });
 }
 
-void PlayerPanel::showLessons() {
-  if (!case_ || (lessons_.empty() && !ExerciseCard::couldAsk(*case_))) return pages_->setCurrentIndex(kEmpty);
-  AttemptList attempts = listAttempts(ownAttempts());
-  std::erase_if(attempts.attempts, [this](const auto& each) { return each.second.caseId != case_->id; });
-  const LearningProgress standings(attempts, sdk::personWhoLearns(), judge());
-  words_ = wordsOf(case_->folder, QLocale().name().toStdString());
-  std::vector<LessonStanding> stands;
-  std::vector<Lesson> shown;
-  bool allFinished = true;
-  for (const Lesson& lesson : lessons_) {
-    stands.push_back(standings.of(case_->id, lesson));
-    shown.push_back(translated(lesson, words_));
-    allFinished = allFinished && stands.back().attempts > 0;
-  }
-  list_->showLessons(shown, stands);
-  const auto kept =
-      readRepetition(repetitionFile(libraryFolder(), sdk::personWhoLearns()));  // what it cannot be read for is told when they begin
-  if (kept && kept->note) host_.window().warn(words(*kept->note).toStdString(), "exercises");
-  card_->showCase(*case_, words_, kept ? kept->states : std::vector<RepetitionState>(), allFinished && !lessons_.empty());
+void PlayerPanel::showListing(const Listing& read) {
+  words_ = read.words;
+  list_->showLessons(read.translated, read.standings);
+  list_->setProperty(kListedFolder, words(case_->folder.string()));
+  if (!read.note.empty()) host_.window().warn(words(read.note).toStdString(), "exercises");
+  const bool allFinished =
+      std::all_of(read.standings.begin(), read.standings.end(), [](const LessonStanding& each) { return each.attempts > 0; });
+  card_->showCase(*case_, words_, read.repetitions, allFinished && !lessons_.empty());
   pages_->setCurrentIndex(kList);
 }
 

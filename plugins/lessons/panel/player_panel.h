@@ -35,7 +35,9 @@ class PlayerPanel final : public QWidget {
 
  private:
   void showCase();
-  void showLessons();
+  struct Listing;
+  void showLessons();  ///< once a job has read how far the person has got
+  void showListing(const Listing& read);
   void begin(const std::string& lessonId);
   /// Who asks: the list here; the window, which offers what a crash has left; or a learning system that started the window for the lesson,
   /// which is told of an attempt that begins now, and of no other.
@@ -48,7 +50,6 @@ class PlayerPanel final : public QWidget {
   void stop();
   void fail(const Error& problem);
   [[nodiscard]] bool isAtWork() const;
-  [[nodiscard]] AttemptJudge judge() const;
   [[nodiscard]] const Lesson* lessonOf(const std::string& id) const;
 
   sdk::Host& host_;
@@ -57,6 +58,7 @@ class PlayerPanel final : public QWidget {
   CaseWords words_;              ///< of the case that holds the lesson
   std::vector<Lesson> lessons_;  ///< of the open case, as they were written
   std::vector<sdk::Ticket> tickets_;
+  int listings_ = 0;               ///< begun so far: an older one that arrives late is not shown
   bool hasBegunLaunched_ = false;  ///< the lesson that this window was started for
 
   QStackedWidget* pages_ = nullptr;

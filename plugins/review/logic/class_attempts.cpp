@@ -8,6 +8,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether the lesson is as it was when it was tried.
+bool isAsTried(const Lesson& lesson, const Attempt& tried) {
+  return tried.lessonContent.empty() || tried.lessonContent == contentOf(lesson);
+}
+
 bool isOnlySeen(const ClassStep& step) { return step.kind == taskWord(ReadingTask{}) || step.kind == taskWord(WatchTask{}); }
 
 }  // namespace
@@ -49,13 +54,18 @@ Result<ClassRecords> readClassRecords(const ScanShelf& shelf, const fs::path& li
   return made;
 }
 
+void readTriedLessons(const ScanShelf& shelf, AttemptResults& results) {
+  for (const LessonAttempts& lesson : shelf.lessons)
+    for (const auto& [folder, tried] : lesson.attempts)
+      if (!isAsTried(lesson.lesson, tried)) static_cast<void>(results.lessonOf(tried));
+}
+
 AttemptResult resultOf(const LessonAttempts& lesson, std::size_t number, const AssessmentPlan& plan, const ClassRecords& records,
                        AttemptResults& results) {
   const auto& [folder, tried] = lesson.attempts.at(number);
   const auto kept = records.scores.find(folder);
   // As it was when it was tried: reports and records ask for that, too.
-  const bool isAsTried = tried.lessonContent.empty() || tried.lessonContent == contentOf(lesson.lesson);
-  const AttemptLesson* before = isAsTried ? nullptr : results.lessonOf(tried);
+  const AttemptLesson* before = isAsTried(lesson.lesson, tried) ? nullptr : results.lessonOf(tried);
   return attemptResultOf(tried, before != nullptr ? &before->lesson : &lesson.lesson, plan,
                          kept == records.scores.end() ? std::nullopt : std::optional(kept->second));
 }

@@ -35,6 +35,10 @@ struct ClassRecords {
 [[nodiscard]] Result<ClassRecords> readClassRecords(const ScanShelf& shelf, const std::filesystem::path& library,
                                                     Progress& progress = noProgress());
 
+/// Reads into `results` the lessons of the shelf that have changed since somebody tried them: resultOf and classOf then read no case. In a
+/// job.
+void readTriedLessons(const ScanShelf& shelf, AttemptResults& results);
+
 /// What an attempt amounts to, as reports and records say it. @param number below that of the attempts
 /// @param results of the library, for lessons that have changed since they were tried
 [[nodiscard]] AttemptResult resultOf(const LessonAttempts& lesson, std::size_t number, const AssessmentPlan& plan,

@@ -15,6 +15,7 @@
 #include "ew/scanning/recording.h"
 #include "ew/ui_test_door/scan.h"
 #include "gui/support/answers.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/panel_hand.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
@@ -301,7 +302,7 @@ class AuthorJourneyTest : public WindowFixture {
     }
     const auto published = latestPublished(libraryFolder(), opened().id);
     QVERIFY(published.has_value());
-    const auto again = loadCase(published->folder);
+    const auto again = loadCaseAside(published->folder);
     QVERIFY(again);
     const auto lessons = lessonsOf(*again);
     QVERIFY(lessons && lessons->size() == 1);

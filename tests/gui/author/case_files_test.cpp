@@ -70,7 +70,7 @@ class CaseFilesTest : public WindowFixture {
       const auto found = list->findItems(QLatin1String(file), Qt::MatchExactly, 0);
       return found.isEmpty() ? nullptr : found.front();
     };
-    QVERIFY(row("other.mha") != nullptr && row("case.json") != nullptr);
+    QVERIFY(waitUntil([&] { return row("other.mha") != nullptr && row("case.json") != nullptr; }));
     QCOMPARE(row("other.mha")->text(2), QStringLiteral("nothing"));
     QCOMPARE(row("case.json")->text(2), QStringLiteral("the case itself"));
     row("case.json")->setSelected(true);
@@ -89,17 +89,17 @@ class CaseFilesTest : public WindowFixture {
       const Answers yes({{QStringLiteral("takeOutQuestion"), press("takeOutNow")}});
       out->click();
     }
-    QVERIFY(!QFile::exists(other));
-    QVERIFY(row("other.mha") == nullptr);
+    QVERIFY(waitUntil([&] { return !QFile::exists(other) && row("other.mha") == nullptr; }));
     QVERIFY2(waitUntil([&] {
                line = lineOf(*publish);
                return line != nullptr && !line->accessibleName().contains(QStringLiteral("other.mha"));
              }),
              "the list before publishing has heard of it");
     keepScreenshot(*dialog, "files-2-taken-out");
-    dialog->findChild<QPushButton*>(QStringLiteral("putFilesBack"))->click();
-    QVERIFY(QFile::exists(other));
-    QVERIFY(row("other.mha") != nullptr);
+    auto* back = dialog->findChild<QPushButton*>(QStringLiteral("putFilesBack"));
+    QVERIFY(waitUntil([&] { return back->isEnabled(); }));
+    back->click();
+    QVERIFY(waitUntil([&] { return QFile::exists(other) && row("other.mha") != nullptr; }));
     dialog->close();
     publish->close();
   }

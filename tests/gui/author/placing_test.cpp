@@ -13,6 +13,7 @@
 #include "ew/library/case.h"
 #include "ew/library/placing.h"
 #include "ew/widgets/apply_theme.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 
@@ -44,7 +45,7 @@ class PlacingTest : public WindowFixture {
     volume.echo.resize(volume.grid.voxelCount());
     for (std::size_t n = 0; n < volume.echo.size(); ++n) volume.echo[n] = static_cast<std::uint8_t>(40 + (n * 7) % 150);
     if (!writeVolume(volume, folder.toStdString() + "/volume.mha")) return {};
-    auto opened = loadCase(folder.toStdString());
+    auto opened = loadCaseAside(folder.toStdString());
     if (!opened) return {};
     opened->region = "right upper quadrant";
     opened->volume.fileToWorld.matrix[3] = {0.0, -150.0, -60.0, 1.0};

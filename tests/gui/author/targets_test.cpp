@@ -16,6 +16,7 @@
 #include "ew/library/lesson.h"
 #include "ew/ui_test_door/scan.h"
 #include "ew/widgets/apply_theme.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 
@@ -221,7 +222,7 @@ class TargetsTest : public WindowFixture {
     QVERIFY(window_->document().save());
 
     // A lesson may ask for it: its truth is the label that was grown.
-    auto again = loadCase(folder_.toStdString());
+    auto again = loadCaseAside(folder_.toStdString());
     QVERIFY(again);
     QCOMPARE(again->volume.labels, kept);
     auto echo = loadCaseVolume(*again, noProgress());

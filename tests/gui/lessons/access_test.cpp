@@ -17,6 +17,7 @@
 #include "ew/library/step_answer.h"
 #include "ew/sdk/case_parts.h"
 #include "ew/ui_test_door/plugins.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/taught_case.h"
 
@@ -87,7 +88,7 @@ class AccessTest final : public LearnerFixture {
     QFile::remove(QString::fromStdString(accessFile(libraryFolder()).string()));
     folder_ = files_.writeCase(QStringLiteral("own cases/taught"));
     QVERIFY(teach(folder_, "taught", "SECRETTITLE of a ball", threeLessons()));
-    auto opened = loadCase(folder_.toStdString());
+    auto opened = loadCaseAside(folder_.toStdString());
     QVERIFY(opened);
     opened->titleForTrainees = "A ball for you";
     opened->diagnosis = "SECRETDIAGNOSIS";
@@ -235,6 +236,7 @@ class AccessTest final : public LearnerFixture {
   void editsThatACrashLeftAreNotOffered() {
     showLocked();
     window_->offerKeptEdits();
+    QVERIFY(window_->jobs().seen().empty());
     QVERIFY(QApplication::activeModalWidget() == nullptr);
   }
 
@@ -284,7 +286,8 @@ class AccessTest final : public LearnerFixture {
   void anExaminationIsWorkedThroughAndHandedIn() {
     const SecretKey key = *SecretKey::make();
     const QString place = files_.path(QStringLiteral("own cases/examination"));
-    const auto made = makeExamination(folder_.toStdString(), place.toStdString(), {.instructors = {key.publicKey()}});
+    const auto made =
+        aside([&] { return makeExamination(folder_.toStdString(), place.toStdString(), {.instructors = {key.publicKey()}}); });
     QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
     QVERIFY(QDir().rename(folder_, files_.path(QStringLiteral("elsewhere"))));
     showLocked();

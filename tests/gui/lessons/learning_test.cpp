@@ -7,6 +7,7 @@
 
 #include "ew/assessment/repetition_record.h"
 #include "ew/widgets/theme.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/taught_case.h"
 
@@ -67,7 +68,7 @@ class LearningTest final : public LearnerFixture {
     const Hold start = session().probeControl().hold();
     planes_ = {start, slid(start, *session().probeControl().skin(), 0.0, 30.0)};
     window_.reset();
-    auto opened = loadCase(folder.toStdString());
+    auto opened = loadCaseAside(folder.toStdString());
     if (!opened) return {};
     for (std::size_t n = 0; n < 2; ++n)
       opened->targets.push_back({.kind = CaseTarget::Kind::plane,

@@ -19,6 +19,7 @@
 #include "ew/library/lesson_links.h"
 #include "ew/scanning/recording.h"
 #include "gui/support/answers.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 
@@ -38,7 +39,7 @@ class LessonEditorTest : public WindowFixture {
     labels.grid.origin_mm = {-92.0, -107.0, -97.0};
     labels.echo.assign(labels.grid.voxelCount(), 0);
     for (int n = 0; n < 400; ++n) labels.echo[labels.grid.indexOf(n % 20, n / 20 % 20, 11)] = 3;
-    auto opened = loadCase(folder_.toStdString());
+    auto opened = loadCaseAside(folder_.toStdString());
     if (!opened || !writeVolume(labels, folder_.toStdString() + "/labels.mha")) return false;
     opened->volume.labels = "labels.mha";
     opened->titleForTrainees = "An upper abdomen";
@@ -405,7 +406,7 @@ class LessonEditorTest : public WindowFixture {
     press("recordExpert");
     scan(3);
     const std::filesystem::path copy = files_.path(QStringLiteral("the copy")).toStdString();
-    QVERIFY(window_->document().save(copy));
+    QVERIFY(window_->document().save(copy, {}, "the-copy"));
     QVERIFY2(waitUntil([this] { return text("takeLength").contains(QStringLiteral("Recording")); }), "it goes on, in the copy");
     scan(3);
     press("stopRecording");

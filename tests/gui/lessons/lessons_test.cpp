@@ -19,6 +19,7 @@
 #include "ew/ui_test_door/measure.h"
 #include "ew/ui_test_door/scan.h"
 #include "gui/support/answers.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
@@ -112,7 +113,7 @@ class LessonsTest : public WindowFixture {
             labels.echo[labels.grid.indexOf(i, j, k)] = 3;
     if (!writeVolume(labels, folder.toStdString() + "/labels.mha")) return {};
 
-    auto opened = loadCase(folder.toStdString());
+    auto opened = loadCaseAside(folder.toStdString());
     if (!opened) return {};
     opened->volume.labels = "labels.mha";
     opened->targets = {{.kind = CaseTarget::Kind::plane,
@@ -193,7 +194,7 @@ class LessonsTest : public WindowFixture {
   /// The same case with a lesson of these steps.
   void beginWith(std::vector<LessonStep> steps) {
     const QString folder = writeTaught();
-    auto opened = loadCase(folder.toStdString());
+    auto opened = loadCaseAside(folder.toStdString());
     QVERIFY(opened.has_value());
     Lesson lesson;
     lesson.id = "first";
@@ -533,7 +534,7 @@ class LessonsTest : public WindowFixture {
 
   void aStepWhoseCaseDoesNotOpenCanBeLeft() {
     const QString broken = files_.writeCase(QStringLiteral("own cases/broken"));
-    auto made = loadCase(broken.toStdString());
+    auto made = loadCaseAside(broken.toStdString());
     QVERIFY(made.has_value());
     made->id = "broken";
     QVERIFY(saveCase(*made, broken.toStdString()).has_value());

@@ -7,6 +7,7 @@
 #include "ew/library/lesson_links.h"
 #include "ew/scanning/recording.h"
 #include "ew/scanning/replay.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/usability_fixture.h"
 #include "places.h"
 
@@ -51,7 +52,7 @@ class ShippedExpertsTest : public UsabilityFixture {
     const QString copy = coarseCopyOf(folder.toStdString());
     showWindowWithCase(copy);
     session().setImageSize(kWidth, kHeight);
-    const auto opened = loadCase(copy.toStdString());
+    const auto opened = loadCaseAside(copy.toStdString());
     QVERIFY(opened.has_value());
     const auto lessons = lessonsOf(*opened);
     QVERIFY(lessons.has_value());

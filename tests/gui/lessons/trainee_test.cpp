@@ -18,6 +18,7 @@
 #include "ew/ui_test_door/start.h"
 #include "ew/ui_test_door/window.h"
 #include "ew/widgets/figures.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 
 namespace ew::ui::testing {
@@ -29,7 +30,7 @@ class TraineeTest : public WindowFixture {
   /// The usual test case, with everything a trainee may and may not read before the examination.
   [[nodiscard]] QString writeTold() const {
     const QString folder = files_.writeCase(QStringLiteral("gall stone folder"));
-    auto opened = loadCase(folder.toStdString());
+    auto opened = loadCaseAside(folder.toStdString());
     if (!opened) return {};
     opened->title = "Gall stone";
     opened->titleForTrainees = "Pain after meals";
@@ -77,6 +78,7 @@ class TraineeTest : public WindowFixture {
     QCOMPARE(find<QLabel>("title")->toolTip(), QStringLiteral("Pain after meals"));
     QVERIFY(!window_->windowTitle().contains(QLatin1String("stone"), Qt::CaseInsensitive));
     window_->showStartPage();
+    QVERIFY(waitUntil([this] { return window_->findChild<QPushButton*>(QStringLiteral("recentFile")) != nullptr; }));
     const auto recent = window_->findChildren<QPushButton*>(QStringLiteral("recentFile"));
     QCOMPARE(recent.size(), 1);
     QCOMPARE(recent.front()->text(), QStringLiteral("Pain after meals"));
@@ -336,7 +338,7 @@ class TraineeTest : public WindowFixture {
   }
 
   void recentFilesAreNotTheCardsAgainAndOpenWithEnter() {
-    const auto shipped = listCases(*shippedCasesFolder()).cases;
+    const auto shipped = listCasesAside(*shippedCasesFolder()).cases;
     QVERIFY(!shipped.empty());
     const QString other = files_.writeCase(QStringLiteral("other"));
     QVERIFY(openCase(other));
@@ -447,7 +449,7 @@ class TraineeTest : public WindowFixture {
     const QByteArray cache = qgetenv("ECHOWEAVE_CACHE");
     qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache")).toUtf8());
     const QString folder = files_.writeCase(QStringLiteral("kept"));
-    const auto opened = loadCase(folder.toStdString());
+    const auto opened = loadCaseAside(folder.toStdString());
     QVERIFY(opened.has_value());
     QImage image(32, 20, QImage::Format_Grayscale8);
     for (int y = 0; y < 20; ++y)
@@ -467,8 +469,11 @@ class TraineeTest : public WindowFixture {
     const QLocale before;
     QLocale::setDefault(QLocale(QLocale::German));
     QCOMPARE(figure(1234.5, 1), QStringLiteral("1234,5"));
+    QCOMPARE(clockText(65.25), QStringLiteral("1:05,3"));
+    QCOMPARE(clockSeconds(65.25), QStringLiteral("1:05"));
     QLocale::setDefault(QLocale(QLocale::English));
     QCOMPARE(figure(1234.5, 1), QStringLiteral("1234.5"));
+    QCOMPARE(clockText(65.25), QStringLiteral("1:05.3"));
     QLocale::setDefault(before);
   }
 };

@@ -16,6 +16,7 @@
 #include "ew/ui_test_door/measure.h"
 #include "ew/ui_test_door/worksheets.h"
 #include "gui/support/answers.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 
@@ -31,7 +32,7 @@ class ExaminationJourneyTest : public WindowFixture {
   void open(const char* id) {
     const auto folder = shippedCasesFolder();
     QVERIFY(folder.has_value());
-    for (const Case& each : listCases(*folder).cases) {
+    for (const Case& each : listCasesAside(*folder).cases) {
       if (each.id != id) continue;
       if (caseNeedsPreparation(each)) QSKIP("the case is not prepared; run 'echoweave case prepare --all' first");
       const auto truth = loadCaseTruth(each, noProgress());

@@ -16,6 +16,7 @@
 #include "ew/imaging/frame.h"
 #include "ew/library/case.h"
 #include "ew/ui_test_door/console.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/console_fixture.h"
 
 /// Outside of any namespace, as the macro demands.
@@ -423,7 +424,7 @@ class ConsoleTest : public ConsoleFixture {
     window_->document().history().redo();
     QVERIFY(noise->isChecked());
     QVERIFY(window_->document().save().has_value());
-    const auto reopened = loadCase(window_->document().current()->folder);
+    const auto reopened = loadCaseAside(window_->document().current()->folder);
     QVERIFY(reopened.has_value() && reopened->scene.noise.has_value());
   }
 

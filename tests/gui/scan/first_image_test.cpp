@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/library/case.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
 
@@ -56,7 +57,7 @@ class FirstImageTest : public WindowFixture {
   }
   [[nodiscard]] static QString wordsOf(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
   [[nodiscard]] bool isMade(const QString& folder) const {
-    const auto opened = loadCase(folder.toStdString());
+    const auto opened = loadCaseAside(folder.toStdString());
     return opened && !caseNeedsPreparation(*opened);
   }
 
@@ -95,7 +96,7 @@ class FirstImageTest : public WindowFixture {
     QVERIFY(!window_->messages().text().contains(QStringLiteral("finer")));
 
     // ... and is what whoever opens the case afterwards scans.
-    const auto whole = loadCaseVolume(*loadCase(folder.toStdString()), noProgress());
+    const auto whole = loadCaseVolume(*loadCaseAside(folder.toStdString()), noProgress());
     QVERIFY(whole.has_value());
     QVERIFY(session().subject()->voxels.volume()->echo == whole->volume.echo);
     QVERIFY(*session().subject()->tissue == *whole->tissue);
@@ -154,7 +155,7 @@ class FirstImageTest : public WindowFixture {
     QVERIFY(session().subject()->isDraft);
     window_->close();
     window_.reset();
-    const auto opened = loadCase(folder.toStdString());
+    const auto opened = loadCaseAside(folder.toStdString());
     QVERIFY(opened.has_value());
     const auto whole = loadCaseVolume(*opened, noProgress());
     QVERIFY2(whole.has_value(), "what was begun is gone on with");

@@ -10,6 +10,7 @@
 #include "ew/ui_test_door/cine.h"
 #include "ew/widgets/time_line.h"
 #include "gui/support/answers.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 
 namespace ew::ui::testing {
@@ -200,7 +201,7 @@ class RecordingTest : public WindowFixture {
 
   void aRecordingOfAnotherCaseOfTheLibraryOpensThatAndPlays() {
     const QString place = files_.writeCase(QStringLiteral("own cases/another"));
-    auto another = loadCase(place.toStdString());
+    auto another = loadCaseAside(place.toStdString());
     QVERIFY(another.has_value());
     another->id = "another-case";
     QVERIFY(saveCase(*another, place.toStdString()).has_value());

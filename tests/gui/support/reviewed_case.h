@@ -8,6 +8,7 @@
 #include "ew/library/step_answer.h"
 #include "ew/scanning/contact.h"
 #include "ew/scanning/recording.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/taught_case.h"
 
 namespace ew::ui::testing {
@@ -146,7 +147,7 @@ class ReviewedCase {
   }
 
   [[nodiscard]] bool writeManifest() const {
-    auto opened = loadCase(folder_.toStdString());
+    auto opened = loadCaseAside(folder_.toStdString());
     if (!opened) return false;
     opened->id = "reviewed-case";
     opened->title = "A cyst of the liver";

@@ -10,6 +10,7 @@
 #include "ew/library/learning_progress.h"
 #include "ew/library/lesson.h"
 #include "ew/ui_test_door/start.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 
 namespace ew::ui::testing {
@@ -46,7 +47,7 @@ inline std::vector<Lesson> threeLessons() {
 
 /// Gives a case that lies in a folder these lessons, an id and a title. @return whether it could be written
 inline bool teach(const QString& folder, const std::string& id, const std::string& title, const std::vector<Lesson>& lessons) {
-  auto opened = loadCase(folder.toStdString());
+  auto opened = loadCaseAside(folder.toStdString());
   if (!opened) return false;
   opened->id = id;
   opened->title = title;

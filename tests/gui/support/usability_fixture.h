@@ -16,6 +16,7 @@
 #include "ew/ui_test_door/window.h"
 #include "ew/ui_test_door/worksheets.h"
 #include "ew/widgets/apply_theme.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/usability_walk.h"
 #include "gui/support/window_fixture.h"
@@ -34,7 +35,7 @@ class UsabilityFixture : public WindowFixture {
   /// The usual test case with a lesson, so that trainees have a panel.
   [[nodiscard]] QString writeTaught() const {
     const QString folder = files_.writeCase(QStringLiteral("taught"));
-    auto opened = loadCase(folder.toStdString());
+    auto opened = loadCaseAside(folder.toStdString());
     if (!opened) return {};
     Lesson lesson;
     lesson.id = "first";

@@ -10,6 +10,7 @@
 #include "ew/library/case.h"
 #include "ew/scanning/first_image.h"
 #include "ew/ui_test_door/start.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
 
@@ -105,7 +106,7 @@ class EveryCaseTest : public WindowFixture {
   void findShipped() {
     const auto folder = shippedCasesFolder();
     QVERIFY(folder.has_value());
-    for (const Case& each : listCases(*folder).cases) {
+    for (const Case& each : listCasesAside(*folder).cases) {
       if (caseNeedsPreparation(each))
         qInfo("'%s' is not prepared and left out", each.id.c_str());
       else
@@ -173,7 +174,7 @@ class EveryCaseTest : public WindowFixture {
     QVERIFY(there.has_value());
     there_ = std::move(*there);
     for (const QString& folder : folders_) {
-      auto opened = loadCase(folder.toStdString());
+      auto opened = loadCaseAside(folder.toStdString());
       QVERIFY2(opened, opened ? "" : opened.error().sentence().c_str());
       auto echo = loadCaseVolume(*opened, noProgress());
       QVERIFY2(echo, echo ? "" : echo.error().sentence().c_str());

@@ -11,6 +11,7 @@
 #include "ew/library/case.h"
 #include "ew/ui_test_door/annotate.h"
 #include "ew/ui_test_door/start.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 
 namespace ew::ui::testing {
@@ -37,7 +38,7 @@ class JourneysTest : public WindowFixture {
  private:
   [[nodiscard]] QString writeCaseCalled(const QString& title) const {
     const QString folder = files_.writeCase(title);
-    auto opened = loadCase(folder.toStdString());
+    auto opened = loadCaseAside(folder.toStdString());
     if (!opened) return {};
     opened->title = title.toStdString();
     return saveCase(*opened, folder.toStdString()) ? folder : QString();

@@ -15,6 +15,7 @@
 #include "ew/library/case_card.h"
 #include "ew/library/preparation.h"
 #include "ew/ui_test_door/start.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
@@ -261,7 +262,7 @@ class LibraryTest final : public WindowFixture {
     QVERIFY2(shown().isNull(), "no PNG");
     // Once it can be made, it is made: what was brought may be of an earlier state of the case.
     QVERIFY(brought.save(file, "PNG"));
-    const auto prepared = loadCase(folder.toStdString());
+    const auto prepared = loadCaseAside(folder.toStdString());
     QVERIFY(prepared && prepareCase(*prepared, {}, noProgress()));
     const QImage made = shown();
     QVERIFY(!made.isNull());
@@ -278,7 +279,7 @@ class LibraryTest final : public WindowFixture {
     manifest["volume"]["reconstruct"]["spacing_mm"] = 1.5;
     test::writeText(file, manifest.dump());
     const auto isPrepared = [](const QString& folder) {
-      const auto read = loadCase(folder.toStdString());
+      const auto read = loadCaseAside(folder.toStdString());
       return read && !caseNeedsPreparation(*read);
     };
     showStartPage();

@@ -16,11 +16,13 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "ew/core/responsive_thread.h"
 #include "ew/library/case.h"
 #include "ew/library/edit_autosave.h"
 #include "ew/ui_test_door/import.h"
 #include "ew/ui_test_door/start.h"
 #include "gui/support/answers.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
@@ -125,7 +127,7 @@ class UnsavedTest : public WindowFixture {
     }
     QCOMPARE(openTitle(), QStringLiteral("second"));
     QVERIFY(shows(QStringLiteral("second")));
-    QCOMPARE(loadCase(folder_.toStdString())->title, std::string("edited twice"));
+    QCOMPARE(loadCaseAside(folder_.toStdString())->title, std::string("edited twice"));
   }
 
   void discardedEditsGoAndAFileThatCannotBeOpenedAsksNothing() {
@@ -140,7 +142,7 @@ class UnsavedTest : public WindowFixture {
     window_->open(writeCaseCalled(QStringLiteral("second")));
     QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("second"); }, kPatience_ms));
     QCOMPARE(answers.asked.size(), 1);
-    QCOMPARE(loadCase(folder_.toStdString())->title, std::string("first"));
+    QCOMPARE(loadCaseAside(folder_.toStdString())->title, std::string("first"));
   }
 
   void editsMadeWhileAVolumeIsMadeStayAndTheVolumeWaits() {
@@ -305,12 +307,12 @@ class UnsavedTest : public WindowFixture {
 
   void aCaseSavedByAnotherProgramMeanwhileIsNotOverwrittenUnasked() {
     const auto saveInAnotherProgram = [this](const std::string& title) {
-      auto other = loadCase(folder_.toStdString());
+      auto other = loadCaseAside(folder_.toStdString());
       QVERIFY(other.has_value());
       other->title = title;
       QVERIFY(saveCase(*other, folder_.toStdString()).has_value());
     };
-    const auto titleOnDisk = [this] { return loadCase(folder_.toStdString())->title; };
+    const auto titleOnDisk = [this] { return loadCaseAside(folder_.toStdString())->title; };
     QAction* save = action(QStringLiteral("&Save case"));
 
     editTitle("ours");
@@ -341,7 +343,7 @@ class UnsavedTest : public WindowFixture {
       QCOMPARE(answers.asked, (QStringList{QStringLiteral("changedOnDiskQuestion"), QStringLiteral("caseFolderDialog")}));
       QCOMPARE(titleOnDisk(), std::string("theirs again"));
       QVERIFY(document().current()->folder != folder_.toStdString());
-      QCOMPARE(loadCase(document().current()->folder)->title, std::string("ours at last"));
+      QCOMPARE(loadCaseAside(document().current()->folder)->title, std::string("ours at last"));
     }
     window_->open(folder_);
     QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("theirs again"); }, kPatience_ms));
@@ -360,7 +362,7 @@ class UnsavedTest : public WindowFixture {
     const QString root = files_.path(QStringLiteral("data/echoweave/unsaved-cases"));
     const auto leave = [&](const std::string& title) {
       EditAutosave program(root.toStdString());
-      auto read = readCase(folder_.toStdString());
+      auto read = readCaseAside(folder_.toStdString());
       QVERIFY(read.has_value());
       read->opened.title = title;
       QVERIFY(program.keep(read->opened, read->manifest).has_value());
@@ -377,6 +379,9 @@ class UnsavedTest : public WindowFixture {
       const Answers later({{QStringLiteral("keptEditsQuestion"), [](QWidget& dialog) { qobject_cast<QDialog*>(&dialog)->reject(); }}});
       window_->offerKeptEdits();
       window_->offerKeptEdits();
+      QVERIFY(waitUntil([&] { return !later.asked.isEmpty() && window_->jobs().seen().empty(); }));
+      window_->offerKeptEdits();
+      QVERIFY(waitUntil([&] { return window_->jobs().seen().empty(); }));
       QCOMPARE(later.asked, QStringList{QStringLiteral("keptEditsQuestion")});  // once is enough
       QVERIFY(isLeft());
     }
@@ -394,8 +399,8 @@ class UnsavedTest : public WindowFixture {
                              poll->start(20);
                            }}});
       window_->offerKeptEdits();
-      QCOMPARE(open.asked.size(), 1);
       QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("typed before the crash"); }, kPatience_ms));
+      QCOMPARE(open.asked.size(), 1);
       QVERIFY(waitForRest());
       QVERIFY(shows(QStringLiteral("typed before the crash")));
       QVERIFY(document().hasUnsavedChanges());
@@ -408,9 +413,40 @@ class UnsavedTest : public WindowFixture {
     leave("never meant");
     const Answers discard({{QStringLiteral("keptEditsQuestion"), press("discardKept")}});
     window_->offerKeptEdits();
+    QVERIFY(waitUntil([&] { return !isLeft(); }));
     QCOMPARE(discard.asked.size(), 1);
-    QVERIFY(!isLeft());
-    QCOMPARE(loadCase(folder_.toStdString())->title, std::string("typed before the crash"));
+    QCOMPARE(loadCaseAside(folder_.toStdString())->title, std::string("typed before the crash"));
+  }
+
+  void editsThatMakeNoCaseAnyMoreAreRefusedAndStay() {
+    const QString root = files_.path(QStringLiteral("data/echoweave/unsaved-cases"));
+    const QString left = root + QStringLiteral("/left/case-edits.json");
+    json manifest = json::parse(textOf(folder_ + QStringLiteral("/case.json")));
+    manifest["volume"]["file"] = "nowhere.mha";
+    test::writeText(left.toStdString(), json{{"case_folder", folder_.toStdString()},
+                                             {"manifest", manifest},
+                                             {"read_bytes", std::uint64_t{1}},
+                                             {"read_hash", std::uint64_t{2}}}
+                                            .dump());
+    const Answers open({{QStringLiteral("keptEditsQuestion"), press("openKept")}});
+    window_->offerKeptEdits();
+    QVERIFY(waitUntil([this] { return window_->messages().isError(); }, kPatience_ms));
+    QVERIFY2(window_->messages().text().contains(QStringLiteral("nowhere.mha")), qPrintable(window_->messages().text()));
+    QCOMPARE(open.asked.size(), 1);
+    QCOMPARE(openTitle(), QStringLiteral("first"));
+    QVERIFY(!document().hasUnsavedChanges());
+    QVERIFY(QFile::exists(left));
+    QVERIFY(QDir(root + QStringLiteral("/left")).removeRecursively());
+  }
+
+  void noCaseIsReadOnTheThreadOfTheWindow() {
+    QVERIFY2(isResponsiveThread(), "what reads cases expects not to run here");
+    bool isWorkersResponsive = true;
+    std::thread([&] { isWorkersResponsive = isResponsiveThread(); }).join();
+    QVERIFY(!isWorkersResponsive);
+    window_.reset();
+    QVERIFY(!isResponsiveThread());
+    QVERIFY(loadCase(folder_.toStdString()).has_value());
   }
 
   void editsAreKeptWhileTheyAreNotSavedAndForgottenAfterwards() {
@@ -575,7 +611,7 @@ class UnsavedTest : public WindowFixture {
     const auto& own = document().current();
     QCOMPARE(QString::fromStdString(own->folder.string()), files_.path(QStringLiteral("own cases/shipped case")));
     QVERIFY(!document().isShippedCase() && !document().hasUnsavedChanges());
-    const auto saved = loadCase(own->folder);
+    const auto saved = loadCaseAside(own->folder);
     QVERIFY(saved.has_value());
     QCOMPARE(saved->title, std::string("my own"));
     QCOMPARE(saved->id, std::string("shipped-case"));
@@ -589,7 +625,7 @@ class UnsavedTest : public WindowFixture {
     editTitle("my own, again");
     save->trigger();
     QCOMPARE(copy.asked.size(), 2);  // a case of one's own is saved without a question
-    QCOMPARE(loadCase(own->folder)->title, std::string("my own, again"));
+    QCOMPARE(loadCaseAside(own->folder)->title, std::string("my own, again"));
   }
 };
 

@@ -23,6 +23,7 @@
 #include "ew/library/case.h"
 #include "ew/scanning/contact.h"
 #include "ew/widgets/icons.h"
+#include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 #include "library/small_case.h"
 
@@ -257,7 +258,7 @@ class WindowTest : public WindowFixture {
     QVERIFY2(saved, saved ? "" : saved.error().sentence().c_str());
     QVERIFY(!document.hasUnsavedChanges());
     const auto folder = document.current()->folder;
-    const auto reopened = loadCase(folder);
+    const auto reopened = loadCaseAside(folder);
     QVERIFY(reopened.has_value());
     QCOMPARE(QString::fromStdString(reopened->title), QStringLiteral("Edited title"));
   }
@@ -568,7 +569,7 @@ class WindowTest : public WindowFixture {
     QVERIFY(waitUntil([this] { return window_->isSettled(); }));
     QVERIFY(find<QPushButton>("startOpen")->isVisible());
     QCOMPARE(static_cast<std::size_t>(find<QAbstractItemView>("caseCards")->model()->rowCount()),
-             listCases(*shippedCasesFolder()).cases.size());
+             listCasesAside(*shippedCasesFolder()).cases.size());
   }
 };
 

@@ -21,9 +21,9 @@ void LessonScores::readPlan() {
   plan_.lessonId = of->lesson.id;
 }
 
-void LessonScores::takeRecords(ClassRecords records) {
+void LessonScores::takeRecords(ClassRecords records, AttemptResults results) {
   records_ = std::move(records);
-  results_ = AttemptResults(libraryFolder());
+  results_ = std::move(results);
   if (records_.problem) host_.window().error(words(*records_.problem).toStdString(), "review standings");
 }
 

@@ -33,8 +33,8 @@ class LessonScores final : public QObject {
   void keepPlan(AssessmentPlan plan);  ///< and scores all attempts of the lesson anew
   void scoreAll();                     ///< in a job, those whose score is out of date
   [[nodiscard]] bool isScoring() const { return scoring_; }
-  /// Of a shelf that was read anew.
-  void takeRecords(ClassRecords records);
+  /// Of a shelf that was read anew. @param results that readTriedLessons has filled
+  void takeRecords(ClassRecords records, AttemptResults results);
 
   /// The score that counts; null: it was not scored.
   [[nodiscard]] const AttemptScore* scoreOf(std::size_t attempt) const;

@@ -1,5 +1,6 @@
 #include "panel/session/review_session.h"
 
+#include <QLocale>
 #include <utility>
 
 #include "ew/core/progress.h"
@@ -38,24 +39,27 @@ void ReviewSession::readShelf() {
   Q_EMIT selection_.shelfChanged();
   auto made = std::make_shared<ScanShelf>();
   auto records = std::make_shared<ClassRecords>();
+  auto results = std::make_shared<AttemptResults>(libraryFolder());
   host_.jobs().start(
       tr("Looking for attempts").toStdString(),
-      [made, records, open = host_.cases().currentFolder()](Progress& progress) -> Result<void> {
-        auto read = review::readShelf(libraryFolder(), open, progress);
+      [made, records, results, open = host_.cases().currentFolder(),
+       language = QLocale().name().toStdString()](Progress& progress) -> Result<void> {
+        auto read = review::readShelf(libraryFolder(), open, progress, language);
         if (!read) return passOn(read.error());
         *made = std::move(*read);
         auto found = readClassRecords(*made, libraryFolder(), progress);
         if (!found) return passOn(found.error());
         *records = std::move(*found);
+        readTriedLessons(*made, *results);
         return {};
       },
-      [this, made, records, alive = std::weak_ptr(alive_)](const Result<void>& done) {
+      [this, made, records, results, alive = std::weak_ptr(alive_)](const Result<void>& done) {
         if (alive.expired()) return;
         selection_.setReading(false);
         if (done) {
           selection_.takeShelf(made);
           if (!made->problems.empty()) host_.window().warn(words(made->problems.front()).toStdString(), "review shelf");
-          scores_.takeRecords(std::move(*records));
+          scores_.takeRecords(std::move(*records), std::move(*results));
           scores_.readPlan();
         } else if (done.error().code != ErrorCode::cancelled) {
           host_.window().error(words(done.error()).toStdString(), "review shelf");

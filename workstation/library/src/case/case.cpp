@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "case/manifest.h"
+#include "ew/core/contract.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/output_set.h"
+#include "ew/core/responsive_thread.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/checksums.h"
@@ -186,6 +188,7 @@ Result<Case> loadCase(const fs::path& folderOrManifest) {
 }
 
 Result<CaseAsRead> readCase(const fs::path& folderOrManifest) {
+  EW_EXPECTS(!isResponsiveThread());
   return guardedCase(folderOrManifest, [&]() -> Result<CaseAsRead> {
     auto text = readManifestText(folderOrManifest);
     if (!text) return passOn(text.error());
@@ -204,6 +207,7 @@ Result<Fingerprint> manifestFingerprint(const fs::path& folderOrManifest) {
 }
 
 std::vector<Error> validateCase(const fs::path& folderOrManifest) {
+  EW_EXPECTS(!isResponsiveThread());
   auto checked = guardedCase(folderOrManifest, [&]() -> Result<std::vector<Error>> {
     auto manifest = readManifest(folderOrManifest);
     if (!manifest) return passOn(manifest.error());
@@ -239,6 +243,7 @@ std::string idForFolder(const fs::path& folder) {
 }
 
 CaseList listCases(const fs::path& folder) {
+  EW_EXPECTS(!isResponsiveThread());
   CaseList found;
   std::error_code error;
   fs::directory_iterator entries(folder, error);

@@ -5,8 +5,10 @@
 #include <string_view>
 
 #include "ew/acquisition/reconstruct_words.h"
+#include "ew/core/contract.h"
 #include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
+#include "ew/core/responsive_thread.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/schema.h"
 #include "ew/stitching/project.h"
@@ -323,7 +325,14 @@ std::vector<Error> checkManifest(const json& manifest, const std::filesystem::pa
 }
 
 Result<Case> caseFromManifest(const json& manifest, const std::filesystem::path& folder) {
+  EW_EXPECTS(!isResponsiveThread());
   ManifestContent made = readCaseManifest(manifest, folder);
+  if (!made.problems.empty()) return passOn(std::move(made.problems.front()));
+  return std::move(made.values);
+}
+
+Result<Case> valuesOfTemplate(const json& manifest) {
+  ManifestContent made = readCaseManifest(manifest, {});
   if (!made.problems.empty()) return passOn(std::move(made.problems.front()));
   return std::move(made.values);
 }

@@ -11,6 +11,9 @@ inline constexpr const char* kManifestName = "case.json";
 /// The manifest in the order people read it.
 nlohmann::ordered_json orderedManifestOf(const Case& edited);
 
+/// What a template fills in, as caseFromManifest reads a case. On any thread: a template is a page of the program's own.
+[[nodiscard]] Result<Case> valuesOfTemplate(const nlohmann::json& manifest);
+
 /// A manifest in the format of today, whatever format it was written in; anything that is no manifest comes back as it is.
 [[nodiscard]] nlohmann::json ofToday(const nlohmann::json& manifest);
 

@@ -56,7 +56,7 @@ Result<CaseTemplate> readTemplateFile(const fs::path& file) {
   read.indications = wordsList(fields, "indications");
   read.targets = wordsList(fields, "targets");
   if (reading.problem()) return passOn(*reading.problem());
-  auto prefilled = caseFromManifest(manifestOfTemplate(*document), {});
+  auto prefilled = valuesOfTemplate(manifestOfTemplate(*document));
   if (!prefilled) return passOn(prefilled.error());
   read.prefilled = *std::move(prefilled);
   read.prefilled.id.clear();

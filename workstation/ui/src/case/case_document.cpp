@@ -121,7 +121,7 @@ bool CaseDocument::isChangedOnDisk() const {
   return now && *now != *asRead_;
 }
 
-Result<void> CaseDocument::save(const std::filesystem::path& folder, const CaseOverwrite& decided) {
+Result<void> CaseDocument::save(const std::filesystem::path& folder, const CaseOverwrite& decided, const std::string& idThere) {
   if (!current_) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
   const std::filesystem::path target = folder.empty() ? current_->folder : folder;
   const bool isElsewhere = target != current_->folder;
@@ -144,7 +144,7 @@ Result<void> CaseDocument::save(const std::filesystem::path& folder, const CaseO
                        "what to keep.">(target),
                    {{"file", target.string()}});
   Case saved = *current_;
-  if (isElsewhere) saved.id = idForFolder(target);
+  if (isElsewhere) saved.id = idThere.empty() ? idForFolder(target) : idThere;
   if (auto done = saveCase(saved, target); !done) return done;
   auto asRead = manifestFingerprint(target);
   if (isElsewhere) {

@@ -45,9 +45,11 @@ class CaseDocument final : public QObject {
   /// nothing changed
   [[nodiscard]] Result<void> edit(Case next, const std::string& what, const std::string& mergeKey);
   /// @param folder empty: where the case was opened. Another folder gives the case an id of its own, so that a library can hold both
+  /// @param idThere that id; empty: idForFolder is asked, which reads the cases beside it and so is not for a window's thread
   /// @error badUsage (no case is open), notWritable (see CaseOverwrite; also when the folder is somebody else's by now), as saveCase; then
   /// the case stays unsaved
-  [[nodiscard]] Result<void> save(const std::filesystem::path& folder = {}, const CaseOverwrite& decided = {});
+  [[nodiscard]] Result<void> save(const std::filesystem::path& folder = {}, const CaseOverwrite& decided = {},
+                                  const std::string& idThere = {});
   [[nodiscard]] bool hasUnsavedChanges() const { return current_.has_value() && !history_.isClean(); }
   /// Whether somebody else has saved the case since it was opened or saved here.
   [[nodiscard]] bool isChangedOnDisk() const;

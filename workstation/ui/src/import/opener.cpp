@@ -426,7 +426,7 @@ void Opener::reloadLabels(const Case& edited) {
 void Opener::openImage(const QString& path) {
   auto loaded = std::make_shared<Image>();
   startOpening(
-      path, tr("Opening %1").arg(recentFileOf(path, false).name),
+      path, tr("Opening %1").arg(fileNameOf(path)),
       [loaded, path](Progress& progress) -> Result<void> {
         const auto kind = kindOfFile(pathOf(path));
         if (!kind) return passOn(kind.error());
@@ -552,7 +552,7 @@ void Opener::openVolume(std::shared_ptr<const Volume> volume, const QString& tit
   }
   auto voxels = std::make_shared<ScanVoxels>();
   startOpening(
-      title, tr("Opening %1").arg(recentFileOf(title, false).name),
+      title, tr("Opening %1").arg(fileNameOf(title)),
       [voxels, volume = std::move(volume)](Progress& progress) -> Result<void> {
         auto made = ScanVoxels::of(volume, progress);
         if (!made) return passOn(made.error());

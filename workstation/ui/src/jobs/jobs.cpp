@@ -1,6 +1,7 @@
 #include "jobs/jobs.h"
 
 #include <QElapsedTimer>
+#include <QEventLoop>
 #include <QMetaObject>
 #include <algorithm>
 #include <atomic>
@@ -94,6 +95,17 @@ int Jobs::start(const QString& title, Work work, Done done, Kind kind) {
   }
   Q_EMIT started(id);
   return id;
+}
+
+Result<void> Jobs::await(const QString& title, Work work) {
+  QEventLoop waiting;
+  Result<void> came;
+  start(title, std::move(work), [&](const Result<void>& outcome) {
+    came = outcome;
+    waiting.quit();
+  });
+  waiting.exec(QEventLoop::ExcludeUserInputEvents);
+  return came;
 }
 
 void Jobs::cancel(int id) {

@@ -41,6 +41,9 @@ class Jobs final : public QObject {
   /// @param done runs on this object's thread afterwards, also after a failure or a cancel
   /// @return the job's id
   int start(const QString& title, Work work, Done done, Kind kind = Kind::awaited);
+  /// The same, and comes back once it is done with its outcome: for what nobody may do anything beside. Until then the window draws, and
+  /// takes no key and no click; what other jobs have made is taken over as ever.
+  [[nodiscard]] Result<void> await(const QString& title, Work work);
   void cancel(int id);
   /// Of a job that knows by now what it is about; an id that is none does nothing.
   void rename(int id, const QString& title);

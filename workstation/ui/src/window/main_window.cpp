@@ -142,6 +142,7 @@ MainWindow::~MainWindow() {
   p.preparation.pause();
   p.library.disconnect();
   p.details.disconnect();
+  p.recent.disconnect();
   p.startPage->disconnect();
   p.jobs.cancelAllAndWait();
   // An undo history that is destroyed says that it is empty; nobody is left to show it.
@@ -374,7 +375,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 bool MainWindow::isSettled() const {
   const WindowParts& p = *parts_;
   if (p.jobs.isRunning() || p.opener->isBusy()) return false;
-  if (p.workspaces->isAtStart()) return !p.library.isRefreshing() && !p.details.isBusy() && !p.learning.isBusy();
+  if (p.workspaces->isAtStart()) return !p.library.isRefreshing() && !p.details.isBusy() && !p.learning.isBusy() && !p.recent.isBusy();
   if (p.workspaces->isStaged()) return true;
   if (p.document.current() && p.opener->showsCase() && hasNoVolume(*p.document.current())) return true;
   return p.session.subject() && !p.session.image().isEmpty();

@@ -29,7 +29,7 @@ inline constexpr const char* kWithdrawnFiles = ".withdrawn";
 inline constexpr int kCaseFormat = 3;
 inline constexpr int kOpenCaseFormat = 2;
 
-/// Opens a case folder or its case.json and checks it against the schema and every file it names.
+/// Opens a case folder or its case.json and checks it against the schema and every file it names. Not on a ResponsiveThread.
 /// @error notFound, badHeader, badField (field name, value found, value expected), newerFormat (with both version numbers), notRigid
 [[nodiscard]] Result<Case> loadCase(const std::filesystem::path& folderOrManifest);
 

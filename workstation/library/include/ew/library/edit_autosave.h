@@ -36,6 +36,7 @@ class EditAutosave {
   [[nodiscard]] Result<void> keep(const Case& edited, const Fingerprint& asRead);
   void forget();
 
+  [[nodiscard]] const std::filesystem::path& root() const { return own_.root(); }
   /// What other programs left behind, the latest first. What a running program keeps, and what cannot be read, is not among them.
   [[nodiscard]] std::vector<Left> left() const;
   /// Removes what somebody has decided about.

@@ -113,10 +113,17 @@ void CaseLibrary::withdraw(const QString& folder, const QString& title) {
   question.exec();
   if (question.clickedButton() != take) return;
   if (isUsedHere()) return refuse();  // it was opened meanwhile
-  const auto taken = withdrawCase(pathOf(folder), libraryFolder(), sdk::personWhoLearns());
-  if (!taken) return parts_.messages->showError(taken.error());
+  WithdrawnCase taken;
+  // Awaited: nobody opens it meanwhile.
+  const auto done = parts_.jobs.await(tr("Taking '%1' out of the library").arg(title), [&](Progress&) -> Result<void> {
+    auto moved = withdrawCase(pathOf(folder), libraryFolder(), sdk::personWhoLearns());
+    if (!moved) return passOn(moved.error());
+    taken = std::move(*moved);
+    return {};
+  });
+  if (!done) return parts_.messages->showError(done.error());
   parts_.messages->showNote(tr("'%1' was taken out of the library. It lies in %2; moved back to %3, it is there again.")
-                                .arg(title, wordsOf(taken->folder), wordsOf(taken->from)));
+                                .arg(title, wordsOf(taken.folder), wordsOf(taken.from)));
   parts_.library.refresh();
 }
 
@@ -127,14 +134,19 @@ void CaseLibrary::chooseBundle() {
 
 void CaseLibrary::importCase(const QString& bundle) {
   if (!parts_.session.subject()) parts_.workspaces->showStartPage();
-  auto taken = std::make_shared<CaseRevision>();
+  struct Taken {
+    CaseRevision revision;
+    std::string title, titleForTrainees;
+  };
+  auto taken = std::make_shared<Taken>();
   const QString name = QFileInfo(bundle).fileName();
   parts_.jobs.start(
       tr("Importing %1").arg(name),
       [taken, bundle](Progress& progress) -> Result<void> {
         auto imported = importBundle(pathOf(bundle), libraryFolder(), {}, progress);
         if (!imported) return passOn(imported.error());
-        *taken = std::move(*imported);
+        const auto opened = loadCase(imported->folder);
+        *taken = {*imported, opened ? opened->title : imported->id, opened ? titleForTrainees(*opened) : imported->id};
         return {};
       },
       [this, taken, name](const Result<void>& outcome) {
@@ -143,12 +155,13 @@ void CaseLibrary::importCase(const QString& bundle) {
           if (outcome.error().code != ErrorCode::cancelled) parts_.messages->showError(outcome.error(), topic);
           return;
         }
-        const auto opened = loadCase(taken->folder);
-        const QString title = opened ? words(parts_.workspaces->isAuthor() ? opened->title : titleForTrainees(*opened)) : words(taken->id);
-        parts_.messages->showNote(taken->wasThere ? tr("'%1' is in the library already, as revision %2.").arg(title).arg(taken->revision)
-                                                  : tr("'%1' was taken into the library as revision %2.").arg(title).arg(taken->revision),
+        const QString title = words(parts_.workspaces->isAuthor() ? taken->title : taken->titleForTrainees);
+        const CaseRevision& revision = taken->revision;
+        parts_.messages->showNote(revision.wasThere
+                                      ? tr("'%1' is in the library already, as revision %2.").arg(title).arg(revision.revision)
+                                      : tr("'%1' was taken into the library as revision %2.").arg(title).arg(revision.revision),
                                   topic);
-        imported_ = wordsOf(taken->folder);
+        imported_ = wordsOf(revision.folder);
         parts_.workspaces->showStartPage();
       });
 }
@@ -168,6 +181,7 @@ void CaseLibrary::fill() {
   parts_.library.refresh();
   parts_.learning.refresh();
   if (parts_.library.index() == nullptr) parts_.startPage->setReading(false);
+  parts_.opening->readRecent();
   parts_.opening->showRecent();
   parts_.startPage->setOpenCase(parts_.session.subject() ? words(parts_.session.subject()->title) : QString());
   readDetails();

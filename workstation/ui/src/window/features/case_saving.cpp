@@ -9,6 +9,8 @@
 #include <QScopedValueRollback>
 #include <algorithm>
 #include <chrono>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include "case/case_folder_dialog.h"
@@ -132,12 +134,38 @@ void CaseSaving::openingEnded() {
 
 void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
   if (parts_.access.isLocked()) return;  // they are an author's, and wait
+  if (asksAboutKept_) return;            // a case that came while somebody thinks about its edits
+  offeredFor_.push_back(caseFolder);
+  if (isLooking_) return;
+  isLooking_ = true;
+  auto found = std::make_shared<std::vector<LeftEdits>>();
+  parts_.jobs.start(
+      tr("Looking for unsaved changes"),
+      [found, root = keptEdits_.root()](Progress&) -> Result<void> {
+        for (EditAutosave::Left& left : EditAutosave(root).left()) {
+          auto edited = caseFromManifest(left.manifest, left.caseFolder);
+          found->push_back({std::move(left), std::move(edited)});
+        }
+        return {};
+      },
+      [this, found](const Result<void>& outcome) {
+        isLooking_ = false;
+        const auto folders = std::exchange(offeredFor_, {});
+        if (outcome) askAboutKept(*found, folders);
+      },
+      Jobs::Kind::background);
+}
+
+void CaseSaving::askAboutKept(const std::vector<LeftEdits>& all, const std::vector<std::filesystem::path>& folders) {
   WindowParts& p = parts_;
-  if (asksAboutKept_) return;  // a case that came while somebody thinks about its edits
+  if (p.access.isLocked() || asksAboutKept_) return;
   const QScopedValueRollback<bool> asks(asksAboutKept_, true);
-  for (const EditAutosave::Left& left : keptEdits_.left()) {
+  for (const LeftEdits& each : all) {
+    const EditAutosave::Left& left = each.left;
     const bool isLater = std::find(decideLater_.begin(), decideLater_.end(), left.kept) != decideLater_.end();
-    if (isLater || restoring_ || (!caseFolder.empty() && left.caseFolder != caseFolder)) continue;
+    const bool isAskedFor =
+        std::any_of(folders.begin(), folders.end(), [&](const auto& folder) { return folder.empty() || folder == left.caseFolder; });
+    if (isLater || restoring_ || !isAskedFor) continue;
     QMessageBox question(&p.window);
     question.setObjectName(QStringLiteral("keptEditsQuestion"));
     question.setIcon(QMessageBox::NoIcon);
@@ -158,7 +186,7 @@ void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
       const auto& current = p.document.current();
       const bool isOpen = current && current->folder == left.caseFolder;
       if (!isOpen) p.opener->open(wordsOf(left.caseFolder));
-      restoring_ = left;  // once it is open; what was being opened before has been given up
+      restoring_ = each;  // once it is open; what was being opened before has been given up
       if (isOpen) restoreKeptEdits();
     } else {
       decideLater_.push_back(left.kept);
@@ -184,18 +212,18 @@ void CaseSaving::keepEdits() {
 void CaseSaving::restoreKeptEdits() {
   WindowParts& p = parts_;
   const auto left = std::exchange(restoring_, std::nullopt);
-  if (!left || !p.document.current() || p.document.current()->folder != left->caseFolder) return;
-  auto read = caseFromManifest(left->manifest, left->caseFolder);
+  if (!left || !p.document.current() || p.document.current()->folder != left->left.caseFolder) return;
+  const auto& [kept, edited] = *left;
   const auto restored =
-      read ? p.document.restore(std::move(*read), tr("Take over the changes of %1").arg(wordsOfTime(left->at)).toStdString(), left->asRead)
-           : Result<void>(passOn(read.error()));
+      edited ? p.document.restore(*edited, tr("Take over the changes of %1").arg(wordsOfTime(kept.at)).toStdString(), kept.asRead)
+             : Result<void>(passOn(edited.error()));
   if (!restored) {
-    decideLater_.push_back(left->kept);
+    decideLater_.push_back(kept.kept);
     p.messages->showError(restored.error());
     return;
   }
   keepEdits();  // here, before they are gone there
-  EditAutosave::remove(*left);
+  EditAutosave::remove(kept);
 }
 
 void CaseSaving::save(bool elsewhere) {
@@ -264,17 +292,31 @@ Result<void> CaseSaving::saveCopy(const QString& why) {
   CaseFolderDialog dialog(why, wordsOf(present.filename()), &parts_.window);
   if (dialog.exec() != QDialog::Accepted) return failure(ErrorCode::cancelled, say<"The case is not saved.">());
   const std::filesystem::path folder = dialog.folder();
-  if (auto saved = document.save(folder); !saved) return saved;
+  if (auto saved = saveElsewhere(folder); !saved) return saved;
   parts_.opening->remember(wordsOf(folder));
   parts_.opening->rememberOpen(wordsOf(folder));
   parts_.messages->showNote(tr("Saved in %1.").arg(wordsOf(folder)), kSavingCase);
   return {};
 }
 
+Result<void> CaseSaving::saveElsewhere(const std::filesystem::path& folder) {
+  const std::filesystem::path present = parts_.document.current()->folder;
+  std::string idThere;
+  const auto looked = parts_.jobs.await(tr("Looking at the cases beside it"), [&](Progress&) -> Result<void> {
+    idThere = idForFolder(folder);
+    return {};
+  });
+  if (!looked) return looked;
+  if (!parts_.document.current() || parts_.document.current()->folder != present)
+    return failure(ErrorCode::cancelled, say<"The case is not saved.">());
+  return parts_.document.save(folder, {}, idThere);
+}
+
 Result<void> CaseSaving::saveFor(const std::filesystem::path& folder) {
   if (auto allowed = parts_.access.require(Permission::editCases); !allowed) return allowed;
   if (folder.empty()) return saveInPlace();
-  if (auto saved = parts_.document.save(folder); !saved) return saved;
+  if (!parts_.document.current()) return failure(ErrorCode::badUsage, say<"No case is open; open one first.">());
+  if (auto saved = folder == parts_.document.current()->folder ? parts_.document.save(folder) : saveElsewhere(folder); !saved) return saved;
   parts_.opening->remember(wordsOf(folder));
   parts_.opening->rememberOpen(wordsOf(folder));
   return {};

@@ -31,12 +31,21 @@ class CaseSaving final : public Feature {
   void forgetEdits();  ///< the user has decided
   /// Nothing is being opened any more: what could not be opened keeps its edits.
   void openingEnded();
-  /// Asks about edits of cases that a crash has interrupted, one after the other. @param caseFolder empty: of whatever case
+  /// Looks for edits of cases that a crash has interrupted, and asks about them, one after the other. @param caseFolder empty: of whatever
+  /// case
   void offerKeptEdits(const std::filesystem::path& caseFolder);
+  /// Whether they are being looked for or asked about.
+  [[nodiscard]] bool isOffering() const { return isLooking_ || asksAboutKept_; }
   /// A case is open: takes over the edits it was opened for, or asks about those there are.
   void caseOpened();
 
  private:
+  /// Edits that a crash has left, and the case with them; an Error where they make no case any more.
+  struct LeftEdits {
+    EditAutosave::Left left;
+    Result<Case> edited;
+  };
+  void askAboutKept(const std::vector<LeftEdits>& all, const std::vector<std::filesystem::path>& folders);
   void save(bool elsewhere);
   bool saveCase(bool elsewhere);  ///< shows what went wrong. @return whether it is saved
   /// Asks first when the case is shipped or was saved by another program. @error cancelled: the user wants it unsaved for now
@@ -44,6 +53,8 @@ class CaseSaving final : public Feature {
   /// Asks for a new folder. @param why it is asked for; may be empty
   [[nodiscard]] Result<void> saveCopy(const QString& why);
   [[nodiscard]] Result<void> saveFor(const std::filesystem::path& folder);  ///< for a plugin; empty: in place
+  /// Under an id that no case beside it has. @error as CaseDocument::save; cancelled: another case came meanwhile
+  [[nodiscard]] Result<void> saveElsewhere(const std::filesystem::path& folder);
   [[nodiscard]] Result<void> makeOwn();
   void keepEdits();  ///< of the open case as it is now, or forgets them when there are none
   void restoreKeptEdits();
@@ -51,9 +62,11 @@ class CaseSaving final : public Feature {
   EditAutosave keptEdits_;  ///< of the open case, against a crash
   QTimer keepSoon_;
   std::vector<std::filesystem::path> decideLater_;  ///< kept edits that the user wants to decide about another time
-  std::optional<EditAutosave::Left> restoring_;     ///< edits that are taken over once their case is open
-  bool asksAboutKept_ = false;                      ///< the question about kept edits is open: none is asked in the middle of it
-  bool dropsEdits_ = false;                         ///< the case is being opened again, and the user gave up the changes made here
+  std::optional<LeftEdits> restoring_;              ///< edits that are taken over once their case is open
+  std::vector<std::filesystem::path> offeredFor_;   ///< cases whose edits are being looked for; an empty one: all
+  bool isLooking_ = false;
+  bool asksAboutKept_ = false;  ///< the question about kept edits is open: none is asked in the middle of it
+  bool dropsEdits_ = false;     ///< the case is being opened again, and the user gave up the changes made here
   QAction* save_ = nullptr;
   QAction* saveAs_ = nullptr;
 };

@@ -46,6 +46,17 @@ constexpr int kRecentFiles = 6;
 const auto kOpenSetting = QStringLiteral("open/last");
 const auto kOpeningSetting = QStringLiteral("open/opening");  ///< set while it is being opened: a crash there must not come again
 
+/// On the first start the shipped case that is there soonest; empty: there is none.
+std::filesystem::path soonestScannable() {
+  const auto folder = shippedCasesFolder();
+  const CaseList found = folder ? listCases(*folder) : CaseList{};
+  if (found.cases.empty()) return {};
+  const auto ready = std::find_if(found.cases.begin(), found.cases.end(), [](const Case& each) { return !caseNeedsPreparation(each); });
+  return ready != found.cases.end() ? ready->folder : preparationOrder(found.cases).front().folder;
+}
+
+QStringList recentPaths() { return QSettings().value(QStringLiteral("recent")).toStringList(); }
+
 }  // namespace
 
 void Opening::addFileActions(QMenu& file) {
@@ -60,6 +71,7 @@ void Opening::addRecentMenu(QMenu& file) { recent_ = file.addMenu(tr("Open &rece
 
 void Opening::connectParts() {
   WindowParts& p = parts_;
+  connect(&p.recent, &RecentFiles::changed, this, &Opening::showRecent);
   connect(p.startPage, &StartPage::openRequested, this, &Opening::choose);
   connect(p.startPage, &StartPage::caseChosen, this, [this](const QString& folder) {
     // What is open and on its way to be examined is not thrown away by looking for it on the page of cases.
@@ -134,7 +146,7 @@ void Opening::connectImports() {
 }
 
 void Opening::refresh() {
-  // It reads titles out of cases, which is too much for every edit: whoever changes the list says so.
+  if (!recentForAuthors_) readRecent();
   if (recentForAuthors_ != parts_.workspaces->isAuthor()) showRecent();
 }
 
@@ -193,16 +205,24 @@ void Opening::openLesson(const QString& folder, const QString& lessonId) {
 }
 
 void Opening::openDefaultCase() {
-  auto folder = shippedCasesFolder();
-  const CaseList found = folder ? listCases(*folder) : CaseList{};
-  if (found.cases.empty()) {
-    parts_.workspaces->showStartPage();
-    return;
-  }
-  // On the first start the one that is scannable soonest.
-  const auto ready = std::find_if(found.cases.begin(), found.cases.end(), [](const Case& each) { return !caseNeedsPreparation(each); });
-  parts_.opener->open(wordsOf(ready != found.cases.end() ? ready->folder : preparationOrder(found.cases).front().folder));
+  isChoosing_ = true;
+  auto chosen = std::make_shared<std::filesystem::path>();
+  parts_.jobs.start(
+      tr("Looking for a case to begin with"),
+      [chosen](Progress&) -> Result<void> {
+        *chosen = soonestScannable();
+        return {};
+      },
+      [this, chosen](const Result<void>&) {
+        isChoosing_ = false;
+        const bool isTaken = parts_.opener->isOpening() || parts_.session.subject() || parts_.document.current();
+        if (!isTaken && !chosen->empty()) parts_.opener->open(wordsOf(*chosen));
+        if (!isTaken && chosen->empty()) parts_.workspaces->showStartPage();
+        if (!parts_.opener->isOpening()) parts_.preparing->openingIsRead();
+      });
 }
+
+bool Opening::isUnderWay() const { return isChoosing_ || parts_.opener->isOpening(); }
 
 void Opening::openWhereOneWas() {
   QSettings settings;
@@ -275,28 +295,31 @@ void Opening::playRecording(const QString& path, const std::shared_ptr<const Sca
 
 void Opening::remember(const QString& path) {
   QSettings settings;
-  QStringList recent = settings.value(QStringLiteral("recent")).toStringList();
+  QStringList recent = recentPaths();
   recent.removeAll(path);
   recent.prepend(path);
   while (recent.size() > kRecentFiles) recent.removeLast();
   settings.setValue(QStringLiteral("recent"), recent);
+  readRecent();
   showRecent();
 }
 
+void Opening::readRecent() { parts_.recent.read(recentPaths()); }
+
 void Opening::showRecent() {
-  const QStringList recent = QSettings().value(QStringLiteral("recent")).toStringList();
+  const QStringList recent = recentPaths();
   const bool forAuthors = parts_.workspaces->isAuthor();
   recentForAuthors_ = forAuthors;
   QStringList onCards;
   for (const QString& folder : parts_.startPage->foldersAtAGlance()) onCards << QDir::cleanPath(QFileInfo(folder).absoluteFilePath());
-  parts_.startPage->showRecent(recentFilesOf(recent, forAuthors, onCards));
+  parts_.startPage->showRecent(parts_.recent.of(recent, forAuthors, onCards));
   recent_->clear();
-  for (const RecentFile& file : recentFilesOf(recent, forAuthors)) {
+  for (const RecentFile& file : parts_.recent.of(recent, forAuthors)) {
     QAction* action = recent_->addAction(file.name, this, [this, path = file.path] { open(path); });
     action->setToolTip(file.tip);
   }
   recent_->setToolTipsVisible(true);
-  recent_->menuAction()->setVisible(!recent.isEmpty());
+  recent_->menuAction()->setVisible(!recent_->isEmpty());
 }
 
 void Opening::rememberOpen(const QString& path) {

@@ -38,8 +38,11 @@ class Opening final : public Feature {
   /// Opens a case, or goes back to it, and begins or goes on with a lesson of it.
   void openLesson(const QString& folder, const QString& lessonId);
   void openDefaultCase();
+  /// Whether something is being opened, or the case that is to be.
+  [[nodiscard]] bool isUnderWay() const;
   void openWhereOneWas();
   void remember(const QString& path);      ///< as opened recently
+  void readRecent();                       ///< what is called how, by now
   void showRecent();                       ///< on the start page and in the menu
   void rememberOpen(const QString& path);  ///< for openWhereOneWas
   void rememberClosing();
@@ -62,6 +65,7 @@ class Opening final : public Feature {
     QString path;
     std::shared_ptr<const ScanRecording> recording;
   } waiting_;                             ///< for its case, which is being opened
+  bool isChoosing_ = false;               ///< the case to begin with is being looked for
   bool isBehind_ = false;                 ///< what was opened is made behind what is open instead
   std::optional<bool> recentForAuthors_;  ///< for whom the menu was filled; empty: not yet
   QMenu* recent_ = nullptr;

@@ -1,6 +1,8 @@
 #include "window/features/preparing.h"
 
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "case/case_preparation.h"
 #include "ew/library/case.h"
@@ -49,12 +51,24 @@ void Preparing::connectParts() {
 void Preparing::begin() {
   // The case that is opened may be the one that would be made first here, and two at one volume wait for each other.
   waitsToBegin_ = true;
-  if (!parts_.opener->isOpening()) openingIsRead();
+  if (!parts_.opening->isUnderWay()) openingIsRead();
 }
 
 void Preparing::openingIsRead() {
   if (!std::exchange(waitsToBegin_, false)) return;
-  if (const auto folder = shippedCasesFolder()) parts_.preparation.start(listCases(*folder).cases);
+  const auto folder = shippedCasesFolder();
+  if (!folder) return;
+  auto found = std::make_shared<std::vector<Case>>();
+  parts_.jobs.start(
+      tr("Looking for cases to prepare"),
+      [found, folder = *folder](Progress&) -> Result<void> {
+        *found = listCases(folder).cases;
+        return {};
+      },
+      [this, found](const Result<void>& outcome) {
+        if (outcome) parts_.preparation.start(*found);
+      },
+      Jobs::Kind::background);
 }
 
 void Preparing::prepareBehind(const QString& path, const CaseToMake& left) {

@@ -21,6 +21,7 @@
 #include "ew/scanning/recording.h"
 #include "ew/widgets/words.h"
 #include "scan/still_image.h"
+#include "window/features/case_saving.h"
 #include "window/features/opening.h"
 #include "window/features/recording.h"
 #include "window/features/unsaved_volumes.h"
@@ -111,6 +112,8 @@ void Resuming::offer() {
 
 void Resuming::ask(std::vector<RecoverableWork> left) {
   WindowParts& p = parts_;
+  if (p.caseSaving->isOffering())  // one question after the other
+    return QTimer::singleShot(kLookAgain_ms, this, [this, left = std::move(left)]() mutable { ask(std::move(left)); });
   for (RecoverableWork& work : left) {
     if (work.kind == kExpertScanWork && p.access.isLocked()) continue;  // it is an author's, and waits
     if (work.isEmpty()) {

@@ -17,6 +17,7 @@
 #include "case/case_document.h"
 #include "case/case_info.h"
 #include "case/case_preparation.h"
+#include "ew/core/responsive_thread.h"
 #include "ew/door/door.h"
 #include "ew/library/access.h"
 #include "images/examination_store.h"
@@ -48,6 +49,7 @@
 #include "start/case_details.h"
 #include "start/learning.h"
 #include "start/library_browser.h"
+#include "start/recent_files.h"
 #include "start/start_page.h"
 #include "trackers/control/tracker_control.h"
 #include "window/frame/feature.h"
@@ -95,7 +97,8 @@ struct WindowParts {
   explicit WindowParts(QMainWindow& window);
   ~WindowParts();
 
-  QMainWindow& window;  ///< that dialogs belong to
+  ResponsiveThread thread;  ///< on which nobody waits for a case: what reads one is a job
+  QMainWindow& window;      ///< that dialogs belong to
   Session session;
   CaseDocument document;
   Jobs jobs;
@@ -103,6 +106,7 @@ struct WindowParts {
   LibraryBrowser library{jobs};
   CaseDetails details;
   Learning learning;
+  RecentFiles recent;
   AccessPolicy access = AccessPolicy::of(libraryFolder());
   KeyMap keys;
   KeyTips keyTips{keys};
