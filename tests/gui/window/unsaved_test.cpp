@@ -449,6 +449,32 @@ class UnsavedTest : public WindowFixture {
     QVERIFY(loadCase(folder_.toStdString()).has_value());
   }
 
+  void whatGaveWayComesBackWhenWhatWasChosenInItsPlaceIsRefused() {
+    const QString second = writeCaseCalled(QStringLiteral("second"));
+    const QString broken = writeCaseCalled(QStringLiteral("broken"));
+    test::writeText((broken + QStringLiteral("/case.json")).toStdString(), "{\"format\": 1}");
+    window_->open(second);
+    window_->open(broken);
+    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("second"); }, kPatience_ms));
+    QVERIFY(waitForRest());
+    QVERIFY(shows(QStringLiteral("second")));
+    QVERIFY2(window_->messages().isError(), "why the other did not come is still said");
+    window_->open(folder_);
+    window_->open(second);
+    QVERIFY(waitForRest());
+    QCOMPARE(openTitle(), QStringLiteral("second"));
+  }
+
+  void whatGaveWayStaysAwayWhenWhatWasChosenInItsPlaceIsCancelled() {
+    const QString second = writeCaseCalled(QStringLiteral("second")), third = writeCaseCalled(QStringLiteral("third"));
+    window_->open(second);
+    window_->open(third);
+    for (const Jobs::Seen& job : window_->jobs().seen()) window_->jobs().cancel(job.id);
+    QVERIFY(waitForRest());
+    QVERIFY2(openTitle() == QLatin1String("first") || openTitle() == QLatin1String("third"), "a job may be done before it is cancelled");
+    QVERIFY(shows(openTitle()));
+  }
+
   void editsAreKeptWhileTheyAreNotSavedAndForgottenAfterwards() {
     const QString root = files_.path(QStringLiteral("data/echoweave/unsaved-cases"));
     const auto kept = [&root]() -> std::string {

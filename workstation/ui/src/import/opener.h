@@ -74,6 +74,8 @@ class Opener final : public QObject {
   [[nodiscard]] bool isBusy() const { return busy_ > 0; }
   /// Whether anything is being opened; ended() follows.
   [[nodiscard]] bool isOpening() const { return openingJob_ != 0; }
+  /// What is being opened; empty: nothing, or what an edit of the open case asks for.
+  [[nodiscard]] const QString& openingPath() const { return openingPath_; }
   /// Whether this is what is being opened now; ended() follows.
   [[nodiscard]] bool isOpening(const QString& path) const;
   /// Of what is being opened, from preparing() to ended(): what has to be made.

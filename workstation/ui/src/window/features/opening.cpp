@@ -99,10 +99,12 @@ void Opening::connectParts() {
   });
   connect(p.opener, &Opener::failed, this, [this](const Error& error) {
     if (error.code == ErrorCode::cancelled && !preparing_.isEmpty()) parts_.preparation.stop(preparingId_);
+    if (error.code != ErrorCode::cancelled) goBack([this, error] { parts_.messages->showError(error); });
   });
   connect(p.opener, &Opener::tooLong, this, [this](const QString& path, const CaseToMake& left) {
     isBehind_ = true;
     parts_.preparing->prepareBehind(path, left);
+    goBack([this, left] { parts_.preparing->tellBehind(left); });
   });
   connect(p.opener, &Opener::ended, this, &Opening::ended);
   connectImports();
@@ -165,12 +167,33 @@ void Opening::holdUnsavedWork(UnsavedWork& list) {
 }
 
 void Opening::open(const QString& path) {
-  if (!parts_.accessLock->mayOpen(path)) return;
+  if (!parts_.accessLock->mayOpen(path) || parts_.opener->isOpening(path)) return;
   // What is on its way and takes long goes on behind whatever is chosen now, and says when it is ready.
-  if (const auto& before = parts_.opener->beingMade(); before && before->takesLong() && pathOf(preparing_) != pathOf(path))
-    parts_.preparing->prepareBehind(preparing_, *before);
+  const auto& made = parts_.opener->beingMade();
+  const bool goesOn = made && made->takesLong() && pathOf(preparing_) != pathOf(path);
+  if (goesOn) parts_.preparing->prepareBehind(preparing_, *made);
+  const QString before = goesOn ? QString() : parts_.opener->openingPath();
+  goesBack_ = {};
+  interrupted_.clear();
+  openHere(path);
+  if (parts_.opener->isOpening(path)) interrupted_ = before;
+}
+
+void Opening::openHere(const QString& path) {
   // Where nothing is open it is shown as soon as it is there.
   parts_.opener->open(path, parts_.session.subject() ? Opener::LongCases::leave : Opener::LongCases::open);
+}
+
+void Opening::goBack(std::function<void()> tell) {
+  if (interrupted_.isEmpty()) return;
+  goesBack_ = {std::exchange(interrupted_, {}), std::move(tell)};
+  // Once what did not come has ended.
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        if (!goesBack_.path.isEmpty() && !parts_.opener->isOpening()) openHere(goesBack_.path);
+      },
+      Qt::QueuedConnection);
 }
 
 void Opening::openDropped(const QStringList& paths) {
@@ -262,12 +285,15 @@ void Opening::opened(const QString& path) {
   parts_.presets->beginScanOfCase();
   if (const auto& current = parts_.document.current()) parts_.preparing->forgetOffer(current->id);
   rememberOpen(path);
+  // What stood in the message bar went with what was open.
+  if (const auto back = std::exchange(goesBack_, {}); back.path == path && back.tell) back.tell();
   parts_.caseSaving->caseOpened();
   parts_.resuming->opened();
 }
 
 void Opening::ended() {
   calibrations_.clear();
+  interrupted_.clear();
   // A recording plays once its case is ready and taken; that one is being opened when the opening of the recording itself ends.
   if (!std::exchange(isBehind_, false) && !parts_.opener->isOpening()) waiting_ = {};
   parts_.caseSaving->openingEnded();

@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,10 @@ class Opening final : public Feature {
   [[nodiscard]] bool mayReplaceScan(const QString& next);
 
  private:
+  void openHere(const QString& path);
+  /// What was chosen last does not come, refused or made behind what is open: what gave way to it is opened after all.
+  /// @param tell why, which is said again once that is there
+  void goBack(std::function<void()> tell);
   void connectImports();  ///< what has to be asked or made before it can be scanned
   void choose();
   void opened(const QString& path);
@@ -64,7 +69,12 @@ class Opening final : public Feature {
   struct {
     QString path;
     std::shared_ptr<const ScanRecording> recording;
-  } waiting_;                             ///< for its case, which is being opened
+  } waiting_;            ///< for its case, which is being opened
+  QString interrupted_;  ///< was being opened, and gave way to what is being opened now
+  struct {
+    QString path;
+    std::function<void()> tell;
+  } goesBack_;                            ///< is opened after all; empty: nothing
   bool isChoosing_ = false;               ///< the case to begin with is being looked for
   bool isBehind_ = false;                 ///< what was opened is made behind what is open instead
   std::optional<bool> recentForAuthors_;  ///< for whom the menu was filled; empty: not yet

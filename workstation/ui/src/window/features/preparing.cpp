@@ -76,9 +76,13 @@ void Preparing::prepareBehind(const QString& path, const CaseToMake& left) {
   const QString title = shownTitle(left.wanted);
   offers_[left.wanted.id] = {path, title};
   p.preparation.ask(left.wanted);
-  p.messages->showNote(tr("'%1' is being prepared, which takes %2. What is open stays open; you are told when the case is ready.")
-                           .arg(title, aboutMinutes(left.seconds)),
-                       readyTopic(left.wanted.id));
+  tellBehind(left);
+}
+
+void Preparing::tellBehind(const CaseToMake& left) {
+  parts_.messages->showNote(tr("'%1' is being prepared, which takes %2. What is open stays open; you are told when the case is ready.")
+                                .arg(shownTitle(left.wanted), aboutMinutes(left.seconds)),
+                            readyTopic(left.wanted.id));
 }
 
 void Preparing::offer(const QString& caseId) {

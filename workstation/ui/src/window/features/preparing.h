@@ -25,7 +25,8 @@ class Preparing final : public Feature {
   void openingIsRead();
   /// Prepares a case without taking what is open away, and offers it when it is ready.
   void prepareBehind(const QString& path, const CaseToMake& left);
-  void show();  ///< on the cards in sight
+  void tellBehind(const CaseToMake& left);  ///< that it is being prepared
+  void show();                              ///< on the cards in sight
   /// It is open: nobody has to be told that it is ready.
   void forgetOffer(const std::string& caseId);
 
