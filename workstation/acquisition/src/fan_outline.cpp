@@ -27,20 +27,8 @@ void addArc(std::vector<glm::dvec2>& points, const FanOutline& fan, double radiu
 
 }  // namespace
 
-const char* nameOf(FanShape shape) {
-  switch (shape) {
-    case FanShape::linear:
-      return "linear";
-    case FanShape::convex:
-      return "convex";
-    case FanShape::sector:
-      return "sector";
-  }
-  return "";
-}
-
 const char* FanOutline::word() const {
-  if (shape != FanShape::linear) return nameOf(shape);
+  if (shape != FanShape::linear) return wordIn(kFanShapeWords, shape);
   constexpr double straight_rad = 0.026;
   const double left = slantOf(corners_px[0], corners_px[3]), right = slantOf(corners_px[1], corners_px[2]);
   if (std::abs(left - right) > straight_rad) return "trapezoid";

@@ -7,6 +7,7 @@
 #include "ew/core/contract.h"
 #include "ew/core/numbers.h"
 #include "ew/core/order_statistics.h"
+#include "ew/core/word_table.h"
 #include "fan_finder.h"
 #include "screen_marks.h"
 
@@ -170,23 +171,15 @@ void settleScale(const ScreenAnalysis& found, ScreenGeometry& geometry) {
   }
 }
 
+constexpr WordTable<ScreenPartKind, 5> kScreenPartKindWords{{{"text", ScreenPartKind::text},
+                                                             {"possible text", ScreenPartKind::possibleText},
+                                                             {"outside", ScreenPartKind::outside},
+                                                             {"bar", ScreenPartKind::bar},
+                                                             {"scale", ScreenPartKind::scale}}};
+
 }  // namespace
 
-const char* nameOf(ScreenPartKind kind) {
-  switch (kind) {
-    case ScreenPartKind::text:
-      return "text";
-    case ScreenPartKind::possibleText:
-      return "possible text";
-    case ScreenPartKind::outside:
-      return "outside";
-    case ScreenPartKind::bar:
-      return "bar";
-    case ScreenPartKind::scale:
-      return "scale";
-  }
-  return "";
-}
+const char* nameOf(ScreenPartKind kind) { return wordIn(kScreenPartKindWords, kind); }
 
 ScreenAnalysis findScreen(const ScreenStatistics& statistics, const std::optional<FanOutline>& outline) {
   ScreenAnalysis found;

@@ -20,7 +20,7 @@ ordered_json toJson(const PixelRect& rect) { return {rect.x, rect.y, rect.width,
 ordered_json toJson(glm::dvec2 p) { return {p.x, p.y}; }
 
 ordered_json toJson(const FanOutline& outline) {
-  ordered_json json{{"shape", nameOf(outline.shape)}};
+  ordered_json json{{"shape", wordIn(kFanShapeWords, outline.shape)}};
   if (outline.shape == FanShape::linear) {
     for (const glm::dvec2 corner : outline.corners_px) json["corners_px"].push_back(toJson(corner));
     return json;
@@ -39,10 +39,8 @@ glm::dvec2 pointOf(const JsonFields& fields, std::string_view key) {
 }
 
 FanOutline outlineOf(const JsonFields& fields) {
-  constexpr std::array kShapes{std::pair("linear", FanShape::linear), std::pair("convex", FanShape::convex),
-                               std::pair("sector", FanShape::sector)};
   FanOutline outline;
-  outline.shape = fields.word("shape", kShapes);
+  outline.shape = fields.word("shape", kFanShapeWords);
   if (outline.shape == FanShape::linear) {
     fields.only({"shape", "corners_px"});
     const nlohmann::json& corners = fields.list("corners_px", 4, 4, say<"four corners, clockwise from the upper left one">());

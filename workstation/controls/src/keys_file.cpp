@@ -1,10 +1,10 @@
 #include "ew/controls/keys_file.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "ew/core/data_file.h"
 #include "ew/core/json_fields.h"
+#include "ew/core/word_table.h"
 #include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 
@@ -15,24 +15,19 @@ using nlohmann::json;
 
 constexpr std::size_t kMostActions = 2000, kMostKeys = 8, kMostControls = 1000, kLongestName = 200;
 
-constexpr std::array kKinds{std::pair{std::string_view("control"), ControlKind::midiControl},
-                            std::pair{std::string_view("control_14"), ControlKind::midiControl14},
-                            std::pair{std::string_view("parameter"), ControlKind::midiParameter},
-                            std::pair{std::string_view("note"), ControlKind::midiNote},
-                            std::pair{std::string_view("bend"), ControlKind::midiBend},
-                            std::pair{std::string_view("report_byte"), ControlKind::hidByte},
-                            std::pair{std::string_view("report_bit"), ControlKind::hidBit}};
-constexpr std::array kEncodings{
-    std::pair{std::string_view("absolute"), Encoding::absolute},  std::pair{std::string_view("twos_complement"), Encoding::twosComplement},
-    std::pair{std::string_view("offset_64"), Encoding::offset64}, std::pair{std::string_view("sign_bit"), Encoding::signBit},
-    std::pair{std::string_view("counter"), Encoding::counter},    std::pair{std::string_view("button"), Encoding::button}};
-
-template <class E, std::size_t N>
-std::string wordOf(const std::array<std::pair<std::string_view, E>, N>& words, E value) {
-  for (const auto& [word, each] : words)
-    if (each == value) return std::string(word);
-  return {};
-}
+constexpr WordTable<ControlKind, 7> kKinds{{{"control", ControlKind::midiControl},
+                                            {"control_14", ControlKind::midiControl14},
+                                            {"parameter", ControlKind::midiParameter},
+                                            {"note", ControlKind::midiNote},
+                                            {"bend", ControlKind::midiBend},
+                                            {"report_byte", ControlKind::hidByte},
+                                            {"report_bit", ControlKind::hidBit}}};
+constexpr WordTable<Encoding, 6> kEncodings{{{"absolute", Encoding::absolute},
+                                             {"twos_complement", Encoding::twosComplement},
+                                             {"offset_64", Encoding::offset64},
+                                             {"sign_bit", Encoding::signBit},
+                                             {"counter", Encoding::counter},
+                                             {"button", Encoding::button}}};
 
 Binding bindingIn(const JsonFields& fields) {
   fields.only({"device", "kind", "channel", "number", "encoding", "setting", "action", "reversed"});
@@ -79,10 +74,10 @@ json toJson(const KeysAndControls& keys) {
   json controls = json::array();
   for (const Binding& binding : keys.controls) {
     json each = {{"device", binding.control.device},
-                 {"kind", wordOf(kKinds, binding.control.kind)},
+                 {"kind", wordIn(kKinds, binding.control.kind)},
                  {"channel", binding.control.channel},
                  {"number", binding.control.number},
-                 {"encoding", wordOf(kEncodings, binding.encoding)},
+                 {"encoding", wordIn(kEncodings, binding.encoding)},
                  {binding.target.kind == Target::Kind::action ? "action" : "setting", binding.target.id}};
     if (binding.reversed) each["reversed"] = true;
     controls.push_back(std::move(each));

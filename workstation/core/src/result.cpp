@@ -2,47 +2,28 @@
 
 #include <ostream>
 
+#include "ew/core/word_table.h"
+
 namespace ew {
 
-const char* nameOf(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::notFound:
-      return "not found";
-    case ErrorCode::notReadable:
-      return "not readable";
-    case ErrorCode::notWritable:
-      return "not writable";
-    case ErrorCode::truncated:
-      return "truncated";
-    case ErrorCode::tooLarge:
-      return "too large";
-    case ErrorCode::badHeader:
-      return "bad header";
-    case ErrorCode::badField:
-      return "bad field";
-    case ErrorCode::unsupported:
-      return "unsupported";
-    case ErrorCode::newerFormat:
-      return "newer format";
-    case ErrorCode::noValidPose:
-      return "no valid pose";
-    case ErrorCode::missingCalibration:
-      return "missing calibration";
-    case ErrorCode::emptyVolume:
-      return "empty volume";
-    case ErrorCode::notRigid:
-      return "not rigid";
-    case ErrorCode::abiMismatch:
-      return "ABI mismatch";
-    case ErrorCode::badUsage:
-      return "bad usage";
-    case ErrorCode::cancelled:
-      return "cancelled";
-    case ErrorCode::internal:
-      return "internal";
-  }
-  return "unknown";
-}
+constexpr WordTable<ErrorCode, 17> kErrorCodeWords{{{"not found", ErrorCode::notFound},
+                                                    {"not readable", ErrorCode::notReadable},
+                                                    {"not writable", ErrorCode::notWritable},
+                                                    {"truncated", ErrorCode::truncated},
+                                                    {"too large", ErrorCode::tooLarge},
+                                                    {"bad header", ErrorCode::badHeader},
+                                                    {"bad field", ErrorCode::badField},
+                                                    {"unsupported", ErrorCode::unsupported},
+                                                    {"newer format", ErrorCode::newerFormat},
+                                                    {"no valid pose", ErrorCode::noValidPose},
+                                                    {"missing calibration", ErrorCode::missingCalibration},
+                                                    {"empty volume", ErrorCode::emptyVolume},
+                                                    {"not rigid", ErrorCode::notRigid},
+                                                    {"ABI mismatch", ErrorCode::abiMismatch},
+                                                    {"bad usage", ErrorCode::badUsage},
+                                                    {"cancelled", ErrorCode::cancelled},
+                                                    {"internal", ErrorCode::internal}}};
+const char* nameOf(ErrorCode code) { return wordIn(kErrorCodeWords, code); }
 
 std::ostream& operator<<(std::ostream& out, const Error& error) {
   out << nameOf(error.code) << ": " << error.message;

@@ -7,6 +7,7 @@
 
 #include "dicom_elements.h"
 #include "ew/core/contract.h"
+#include "ew/core/word_table.h"
 #include "ew/imaging/caption.h"
 #include "ew/io/safe_file.h"
 
@@ -50,21 +51,12 @@ void putRegions(Elements& elements, std::span<const RegionCalibration> regions, 
   }
 }
 
-const char* transducerOf(ProbeKind kind) {
-  switch (kind) {
-    case ProbeKind::linear:
-      return "LINEAR";
-    case ProbeKind::convex:
-      return "CURVED LINEAR";
-    case ProbeKind::phased:
-      return "SECTOR_PHASED";
-    case ProbeKind::endocavity:
-      return "ENDOCAV_CLA";
-    case ProbeKind::sweptSector:
-      return "SECTOR_MECH";
-  }
-  return "";
-}
+constexpr WordTable<ProbeKind, 5> kProbeKindWords{{{"LINEAR", ProbeKind::linear},
+                                                   {"CURVED LINEAR", ProbeKind::convex},
+                                                   {"SECTOR_PHASED", ProbeKind::phased},
+                                                   {"ENDOCAV_CLA", ProbeKind::endocavity},
+                                                   {"SECTOR_MECH", ProbeKind::sweptSector}}};
+const char* transducerOf(ProbeKind kind) { return wordIn(kProbeKindWords, kind); }
 
 /// The modes in an image, as value 4 of Image Type has them (PS3.3, C.8.5.6.1.1): 1 is two-dimensional, 2 M-mode, 10 colour Doppler.
 std::string modesOf(std::span<const RegionCalibration> regions, bool isColour) {

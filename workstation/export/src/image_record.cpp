@@ -1,10 +1,10 @@
 #include "ew/export/image_record.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "ew/core/data_file.h"
 #include "ew/core/json_fields.h"
+#include "ew/core/word_table.h"
 #include "ew/imaging/settings_json.h"
 
 namespace ew {
@@ -15,20 +15,10 @@ using Kind = RegionCalibration::Kind;
 
 constexpr std::size_t kLongestStoredText = 10000;
 constexpr double kLatest_s = 253402300799.0;  // the end of the year 9999
-constexpr std::array<std::pair<std::string_view, Kind>, 2> kRegionWords{{{"picture", Kind::image}, {"strip", Kind::strip}}};
-
-const char* wordOfRegion(Kind kind) {
-  switch (kind) {
-    case Kind::image:
-      return "picture";
-    case Kind::strip:
-      return "strip";
-  }
-  return "picture";
-}
+constexpr WordTable<Kind, 2> kRegionWords{{{"picture", Kind::image}, {"strip", Kind::strip}}};
 
 json jsonOfRegion(const RegionCalibration& region) {
-  return {{"kind", wordOfRegion(region.kind)},
+  return {{"kind", wordIn(kRegionWords, region.kind)},
           {"rect_px", {region.rect.x, region.rect.y, region.rect.width, region.rect.height}},
           {"delta", {region.delta.x, region.delta.y}},
           {"reference_px", {region.reference_px.x, region.reference_px.y}},

@@ -1,8 +1,8 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "csv.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/measurement/worksheet.h"
 
 namespace ew::measurement {
@@ -12,17 +12,8 @@ using nlohmann::ordered_json;
 
 constexpr int kWorksheetFormat = 1;
 
-const char* wordOf(Several several) {
-  switch (several) {
-    case Several::mean:
-      return "mean";
-    case Several::last:
-      return "last";
-    case Several::selected:
-      return "selected";
-  }
-  return "";
-}
+constexpr WordTable<Several, 3> kSeveralWords{{{"mean", Several::mean}, {"last", Several::last}, {"selected", Several::selected}}};
+const char* wordOf(Several several) { return wordIn(kSeveralWords, several); }
 
 ordered_json jsonOf(const Quantity& quantity) {
   ordered_json made = {{"value", quantity.value}};
@@ -70,19 +61,12 @@ std::string listed(const Parts& parts, Text text) {
   return all;
 }
 
+constexpr WordTable<RangeVerdict, 3> kRangeVerdictWords{
+    {{"below", RangeVerdict::below}, {"within", RangeVerdict::within}, {"above", RangeVerdict::above}}};
+
 }  // namespace
 
-std::string_view wordOf(RangeVerdict verdict) {
-  switch (verdict) {
-    case RangeVerdict::below:
-      return "below";
-    case RangeVerdict::within:
-      return "within";
-    case RangeVerdict::above:
-      return "above";
-  }
-  return {};
-}
+std::string_view wordOf(RangeVerdict verdict) { return wordIn(kRangeVerdictWords, verdict); }
 
 Message rangeText(const ReferenceRange& range) {
   const std::string unit = range.unit == Unit::one ? "" : " " + std::string(symbolOf(range.unit));

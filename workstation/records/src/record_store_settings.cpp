@@ -1,9 +1,9 @@
 #include "ew/records/record_store_settings.h"
 
-#include <array>
 #include <cstdlib>
 
 #include "ew/core/json_fields.h"
+#include "ew/core/word_table.h"
 #include "ew/io/json_files.h"
 #include "ew/io/private_file.h"
 #include "iri.h"
@@ -16,7 +16,7 @@ using nlohmann::json;
 using Login = RecordStoreSettings::Login;
 
 constexpr const char* kSettingsFile = "record-store.json";
-constexpr std::array<std::pair<std::string_view, Login>, 2> kLogins = {{{"basic", Login::basic}, {"bearer", Login::bearer}}};
+constexpr WordTable<Login, 2> kLogins = {{{"basic", Login::basic}, {"bearer", Login::bearer}}};
 
 Result<void> checkSettings(const RecordStoreSettings& settings) {
   if (!settings.endpoint.empty())
@@ -86,9 +86,8 @@ Result<void> writeRecordStoreSettings(const RecordStoreSettings& settings, const
   if (auto usable = checkSettings(settings); !usable) return usable;
   if (std::error_code ignored; !fs::exists(folder, ignored))
     if (auto made = makePrivateFolder(folder); !made) return made;
-  nlohmann::ordered_json made = {{"format", kRecordStoreFormat}, {"endpoint", settings.endpoint}};
-  for (const auto& [word, login] : kLogins)
-    if (login == settings.login) made["login"] = word;
+  nlohmann::ordered_json made = {
+      {"format", kRecordStoreFormat}, {"endpoint", settings.endpoint}, {"login", wordIn(kLogins, settings.login)}};
   const auto text = [&](const char* key, const std::string& value) {
     if (!value.empty()) made[key] = value;
   };

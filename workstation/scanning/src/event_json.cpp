@@ -1,11 +1,10 @@
 #include "event_json.h"
 
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/imaging/settings_json.h"
 
 namespace ew {
@@ -15,20 +14,8 @@ using nlohmann::json;
 
 constexpr std::size_t kMostGapsOfFrame = 4096;
 constexpr std::size_t kLongestGaps_bytes = 32 * kMostGapsOfFrame;
-constexpr std::array<std::pair<std::string_view, PoseStatus>, 3> kPoseWords{
+constexpr WordTable<PoseStatus, 3> kPoseStatusWords{
     {{"ok", PoseStatus::ok}, {"invalid", PoseStatus::invalid}, {"missing", PoseStatus::missing}}};
-
-std::string poseWord(PoseStatus status) {
-  switch (status) {
-    case PoseStatus::ok:
-      return "ok";
-    case PoseStatus::invalid:
-      return "invalid";
-    case PoseStatus::missing:
-      return "missing";
-  }
-  return "missing";
-}
 
 json jsonOf(const FrameMade& made) {
   json pose = json::array();
@@ -37,7 +24,7 @@ json jsonOf(const FrameMade& made) {
   // A gap may be endless, which JSON has no number for.
   std::string gaps;
   for (const float gap_mm : made.gaps_mm) gaps += (gaps.empty() ? "" : " ") + textOf(static_cast<double>(gap_mm));
-  json frame = {{"number", made.number}, {"probe_to_world", std::move(pose)}, {"status", poseWord(made.pose.status)}};
+  json frame = {{"number", made.number}, {"probe_to_world", std::move(pose)}, {"status", wordIn(kPoseStatusWords, made.pose.status)}};
   if (!gaps.empty()) frame["gaps_mm"] = std::move(gaps);
   if (!(made.body == BodyState{})) frame["body"] = {made.body.breath, made.body.pulse, made.body.bowel};
   return frame;
@@ -49,7 +36,7 @@ FrameMade frameOf(const JsonFields& frame) {
   made.number = static_cast<std::uint64_t>(frame.whole("number", 0, static_cast<long long>(kHighestNumber)));
   const auto pose = frame.numbers("probe_to_world", 16, 16, -kFarthest_mm, kFarthest_mm);
   for (std::size_t n = 0; n < pose.size(); ++n) made.pose.probeToWorld.matrix[static_cast<int>(n % 4)][static_cast<int>(n / 4)] = pose[n];
-  made.pose.status = frame.word("status", kPoseWords);
+  made.pose.status = frame.word("status", kPoseStatusWords);
   if (const std::string gaps = frame.text("gaps_mm", "", 0, kLongestGaps_bytes); !gaps.empty()) {
     const auto numbers = parseNumbers(gaps);
     if (!numbers || numbers->size() > kMostGapsOfFrame)

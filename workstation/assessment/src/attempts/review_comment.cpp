@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "ew/core/json_fields.h"
+#include "ew/core/word_table.h"
 #include "ew/io/content_key.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
@@ -19,8 +19,7 @@ using Stroke = CommentStroke::Kind;
 
 constexpr std::size_t kMostComments = 10'000, kMostStrokes = 200, kMostPoints = 5000, kLongestText = 20'000;
 constexpr double kFarthest_mm = 1e4;
-constexpr std::array<std::pair<std::string_view, Stroke>, 3> kStrokes = {
-    {{"line", Stroke::line}, {"arrow", Stroke::arrow}, {"circle", Stroke::circle}}};
+constexpr WordTable<Stroke, 3> kStrokes = {{{"line", Stroke::line}, {"arrow", Stroke::arrow}, {"circle", Stroke::circle}}};
 constexpr std::array<std::string_view, 8> kCommentFields = {"id",   "step",    "recording",      "time_s",
                                                             "text", "strokes", "probe_to_world", "at_unix_s"};
 constexpr std::array<std::string_view, 3> kFileFields = {"format", "author", "comments"};
@@ -41,7 +40,7 @@ json numbersOf(const Transform<frame::World, frame::Probe>& t) {
 
 CommentStroke strokeOf(const JsonFields& fields) {
   CommentStroke stroke;
-  stroke.kind = fields.word<std::string_view, Stroke>("kind", kStrokes);
+  stroke.kind = fields.word("kind", kStrokes);
   const std::vector<double> numbers = fields.numbers("points_mm", 4, 2 * kMostPoints, -kFarthest_mm, kFarthest_mm);
   const bool isPair = stroke.kind != Stroke::line;
   if (numbers.size() % 2 != 0 || (isPair && numbers.size() > 4))
@@ -74,10 +73,7 @@ json jsonOf(const ReviewComment& comment) {
   made["time_s"] = comment.time_s;
   if (!comment.text.empty()) made["text"] = comment.text;
   for (const CommentStroke& stroke : comment.strokes) {
-    json each;
-    for (const auto& [word, kind] : kStrokes)
-      if (kind == stroke.kind) each["kind"] = word;
-    each["points_mm"] = json::array();
+    json each = {{"kind", wordIn(kStrokes, stroke.kind)}, {"points_mm", json::array()}};
     for (const glm::dvec2& p : stroke.points_mm) {
       each["points_mm"].push_back(p.x);
       each["points_mm"].push_back(p.y);

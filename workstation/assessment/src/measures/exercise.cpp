@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ew/assessment/random_numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/scanning/contact.h"
 
 namespace ew {
@@ -168,19 +169,12 @@ StepResult nothingToJudge(Message why) {
   return judged;
 }
 
+constexpr WordTable<ExerciseKind, 3> kExerciseKindWords{
+    {{"plane", ExerciseKind::findPlane}, {"point", ExerciseKind::pointAtOrgan}, {"measure", ExerciseKind::measure}}};
+
 }  // namespace
 
-std::string_view wordOf(ExerciseKind kind) {
-  switch (kind) {
-    case ExerciseKind::findPlane:
-      return "plane";
-    case ExerciseKind::pointAtOrgan:
-      return "point";
-    case ExerciseKind::measure:
-      return "measure";
-  }
-  return {};
-}
+std::string_view wordOf(ExerciseKind kind) { return wordIn(kExerciseKindWords, kind); }
 
 ExerciseDifficulty difficultyOf(int level) {
   static const std::array<ExerciseDifficulty, kExerciseLevels> kLevels = [] {

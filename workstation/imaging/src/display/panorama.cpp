@@ -7,6 +7,7 @@
 
 #include "../probes/fan_shape.h"
 #include "ew/core/contract.h"
+#include "ew/core/word_table.h"
 
 namespace ew {
 namespace {
@@ -30,25 +31,16 @@ glm::dmat2 directionsOf(const DisplayGeometry& geometry) {
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
+constexpr WordTable<Woven, 6> kWovenWords{{{"woven", Woven::woven},
+                                           {"no pose", Woven::noPose},
+                                           {"tilted out of the plane", Woven::tilted},
+                                           {"beside the plane", Woven::offPlane},
+                                           {"too fast", Woven::tooFast},
+                                           {"full", Woven::full}}};
+
 }  // namespace
 
-const char* nameOf(Woven outcome) {
-  switch (outcome) {
-    case Woven::woven:
-      return "woven";
-    case Woven::noPose:
-      return "no pose";
-    case Woven::tilted:
-      return "tilted out of the plane";
-    case Woven::offPlane:
-      return "beside the plane";
-    case Woven::tooFast:
-      return "too fast";
-    case Woven::full:
-      return "full";
-  }
-  return "";
-}
+const char* nameOf(Woven outcome) { return wordIn(kWovenWords, outcome); }
 
 std::ostream& operator<<(std::ostream& out, Woven outcome) { return out << nameOf(outcome); }
 

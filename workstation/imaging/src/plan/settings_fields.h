@@ -1,33 +1,26 @@
 #pragma once
 
-#include <array>
-#include <string_view>
-#include <utility>
-
 #include "../effects/registry.h"
 #include "ew/core/message.h"
+#include "ew/core/word_table.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/scene.h"
 #include "ew/imaging/tissue_name.h"
 
 namespace ew::detail {
 
-/// A word of a file for each value of an enumeration.
-template <class E, std::size_t N>
-using Words = std::array<std::pair<const char*, E>, N>;
-
-inline constexpr Words<Quality, 3> kQualityWords{{{"weave", Quality::weave}, {"linear", Quality::linear}, {"cubic", Quality::cubic}}};
-inline constexpr Words<FocusMethod, 2> kFocusMethodWords{
+inline constexpr WordTable<Quality, 3> kQualityWords{{{"weave", Quality::weave}, {"linear", Quality::linear}, {"cubic", Quality::cubic}}};
+inline constexpr WordTable<FocusMethod, 2> kFocusMethodWords{
     {{"row_stretch", FocusMethod::rowStretch}, {"lateral_kernel", FocusMethod::lateralKernel}}};
-inline constexpr Words<GainLaw, 3> kGainLawWords{
+inline constexpr WordTable<GainLaw, 3> kGainLawWords{
     {{"automatic", GainLaw::automatic}, {"decibel", GainLaw::decibel}, {"paper", GainLaw::paper}}};
-inline constexpr Words<GreyMap, 6> kGreyMapWords{{{"automatic", GreyMap::automatic},
-                                                  {"linear", GreyMap::linear},
-                                                  {"soft", GreyMap::soft},
-                                                  {"contrast", GreyMap::contrast},
-                                                  {"bright", GreyMap::bright},
-                                                  {"clinical", GreyMap::clinical}}};
-inline constexpr Words<DisplayMode, 3> kModeWords{{{"b", DisplayMode::bMode}, {"m", DisplayMode::mMode}, {"both", DisplayMode::both}}};
+inline constexpr WordTable<GreyMap, 6> kGreyMapWords{{{"automatic", GreyMap::automatic},
+                                                      {"linear", GreyMap::linear},
+                                                      {"soft", GreyMap::soft},
+                                                      {"contrast", GreyMap::contrast},
+                                                      {"bright", GreyMap::bright},
+                                                      {"clinical", GreyMap::clinical}}};
+inline constexpr WordTable<DisplayMode, 3> kModeWords{{{"b", DisplayMode::bMode}, {"m", DisplayMode::mMode}, {"both", DisplayMode::both}}};
 
 inline constexpr double kLargestSteering_deg = 60.0;  // probes allow less
 

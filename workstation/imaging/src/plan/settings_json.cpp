@@ -39,7 +39,7 @@ struct Wording {
   }
   static Message foci(std::size_t most) { return say<"a depth in mm, 0 for half of the depth, or a list of up to %1 depths">(most); }
   template <class E, std::size_t N>
-  static Message choice(const detail::Words<E, N>& words) {
+  static Message choice(const WordTable<E, N>& words) {
     std::array<std::string_view, N> all;
     for (std::size_t n = 0; n < N; ++n) all[n] = words[n].first;
     return wordsText(all);
@@ -98,7 +98,7 @@ class Reader {
     }
   }
   template <class E, std::size_t N>
-  void choice(const char* key, E T::*field, const detail::Words<E, N>& words) {
+  void choice(const char* key, E T::*field, const WordTable<E, N>& words) {
     setting_.*field = fields_.word(known(key), words, std::optional(setting_.*field));
   }
   void flag(const char* key, bool T::*field) { setting_.*field = fields_.flag(known(key), setting_.*field); }
@@ -200,9 +200,8 @@ class Writer {
       object[key] = all;
   }
   template <class E, std::size_t N>
-  void choice(const char* key, E T::*field, const detail::Words<E, N>& words) {
-    for (const auto& [word, meaning] : words)
-      if (meaning == setting_.*field) object[key] = word;
+  void choice(const char* key, E T::*field, const WordTable<E, N>& words) {
+    object[key] = wordIn(words, setting_.*field);
   }
   void flag(const char* key, bool T::*field) { object[key] = setting_.*field; }
   void text(const char* key, std::string T::*field, std::size_t) { object[key] = setting_.*field; }
@@ -289,7 +288,7 @@ class Manual {
     add(key, Wording::foci(N + 1));
   }
   template <class E, std::size_t N>
-  void choice(const char* key, E T::*, const detail::Words<E, N>& words) {
+  void choice(const char* key, E T::*, const WordTable<E, N>& words) {
     add(key, Wording::choice(words));
   }
   void flag(const char* key, bool T::*) { add(key, Wording::flag()); }

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 #include <system_error>
 #include <thread>
@@ -17,6 +16,7 @@
 
 #include "ew/core/contract.h"
 #include "ew/core/foreign_json.h"
+#include "ew/core/word_table.h"
 #include "ew/io/file_lock.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
@@ -33,8 +33,6 @@ constexpr int kNotesFormat = 1;
 constexpr std::size_t kLargestNotes_bytes = std::size_t{1} << 30;
 constexpr long long kMostAttempts = 1'000'000'000;
 constexpr std::size_t kNumberLetters = 10;
-constexpr OutboxStatus kStatuses[] = {OutboxStatus::waiting,  OutboxStatus::doubtful, OutboxStatus::stored, OutboxStatus::accepted,
-                                      OutboxStatus::verified, OutboxStatus::arrived,  OutboxStatus::refused};
 
 bool isThere(OutboxStatus status) {
   return status == OutboxStatus::accepted || status == OutboxStatus::verified || status == OutboxStatus::arrived;
@@ -99,32 +97,19 @@ std::string idOf(const fs::path& file, const OutboxKind& kind) {
   return kind.isId(stem) ? stem : std::string();
 }
 
+constexpr WordTable<OutboxStatus, 7> kOutboxStatusWords{{{"waiting", OutboxStatus::waiting},
+                                                         {"doubtful", OutboxStatus::doubtful},
+                                                         {"stored", OutboxStatus::stored},
+                                                         {"accepted", OutboxStatus::accepted},
+                                                         {"verified", OutboxStatus::verified},
+                                                         {"arrived", OutboxStatus::arrived},
+                                                         {"refused", OutboxStatus::refused}}};
+
 }  // namespace
 
-std::string_view wordOf(OutboxStatus status) {
-  switch (status) {
-    case OutboxStatus::waiting:
-      return "waiting";
-    case OutboxStatus::doubtful:
-      return "doubtful";
-    case OutboxStatus::stored:
-      return "stored";
-    case OutboxStatus::accepted:
-      return "accepted";
-    case OutboxStatus::verified:
-      return "verified";
-    case OutboxStatus::arrived:
-      return "arrived";
-    case OutboxStatus::refused:
-      return "refused";
-  }
-  return "";
-}
+std::string_view wordOf(OutboxStatus status) { return wordIn(kOutboxStatusWords, status); }
 
-std::optional<OutboxStatus> outboxStatusOf(std::string_view word) {
-  const auto* const found = std::find_if(std::begin(kStatuses), std::end(kStatuses), [&](auto each) { return wordOf(each) == word; });
-  return found == std::end(kStatuses) ? std::nullopt : std::optional(*found);
-}
+std::optional<OutboxStatus> outboxStatusOf(std::string_view word) { return meaningIn(kOutboxStatusWords, word); }
 
 std::string aboutOf(const OutboxEntry& entry, const std::string& name) {
   const auto found = entry.about.find(name);

@@ -9,12 +9,12 @@
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <numeric>
 
 #include "dicom/dicom_fields.h"
 #include "dicom/dicom_pixels.h"
 #include "dicom/stack_image.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/io/dicom.h"
 #include "ew/io/dicom_stack.h"
 #include "ew/io/image_stack.h"
@@ -491,25 +491,16 @@ Result<void> prepare(CineReader::Source& source, const Orientation& asked, const
   return {};
 }
 
+constexpr WordTable<CineKind, 6> kCineKindWords{{{"film", CineKind::film},
+                                                 {"film in DICOM", CineKind::dicomFilm},
+                                                 {"DICOM images", CineKind::dicom},
+                                                 {"TIFF", CineKind::pages},
+                                                 {"sequence", CineKind::sequence},
+                                                 {"pictures", CineKind::images}}};
+
 }  // namespace
 
-const char* nameOf(CineKind kind) {
-  switch (kind) {
-    case CineKind::film:
-      return "film";
-    case CineKind::dicomFilm:
-      return "film in DICOM";
-    case CineKind::dicom:
-      return "DICOM images";
-    case CineKind::pages:
-      return "TIFF";
-    case CineKind::sequence:
-      return "sequence";
-    case CineKind::images:
-      return "pictures";
-  }
-  return "";
-}
+const char* nameOf(CineKind kind) { return wordIn(kCineKindWords, kind); }
 
 bool isFilm(const fs::path& file) { return checkIsFile(file) && beginsAsFilm(beginningOf(file)); }
 bool isTiff(const fs::path& file) { return checkIsFile(file) && beginsAsTiff(beginningOf(file)); }

@@ -1,7 +1,7 @@
-#include <cstdio>
 
 #include "ew/core/contract.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/io/sequence.h"
 #include "files/image_header.h"
 #include "sweeps/transform_name.h"
@@ -12,17 +12,9 @@ namespace {
 using namespace detail;
 namespace fs = std::filesystem;
 
-const char* textOfStatus(PoseStatus status) {
-  switch (status) {
-    case PoseStatus::ok:
-      return "OK";
-    case PoseStatus::invalid:
-      return "INVALID";
-    case PoseStatus::missing:
-      return "MISSING";
-  }
-  return "INVALID";
-}
+constexpr WordTable<PoseStatus, 3> kPoseStatusWords{
+    {{"OK", PoseStatus::ok}, {"INVALID", PoseStatus::invalid}, {"MISSING", PoseStatus::missing}}};
+const char* textOfStatus(PoseStatus status) { return wordIn(kPoseStatusWords, status); }
 
 std::string prefixOf(std::size_t frame) {
   std::string number = std::to_string(frame);

@@ -129,8 +129,8 @@ bool isFinite(const glm::dvec3& at_mm) { return std::isfinite(at_mm.x) && std::i
 
 void checkReconstruction(const ValueRules& rules, const CaseReconstruction& reconstruct) {
   rules.number("spacing_mm", reconstruct.spacing_mm);
-  if (reconstruct.interpolation) rules.text("interpolation", std::string(wordOf(kInterpolationWords, *reconstruct.interpolation)));
-  if (reconstruct.compounding) rules.text("compounding", std::string(wordOf(kCompoundingWords, *reconstruct.compounding)));
+  if (reconstruct.interpolation) rules.text("interpolation", std::string(wordIn(kInterpolationWords, *reconstruct.interpolation)));
+  if (reconstruct.compounding) rules.text("compounding", std::string(wordIn(kCompoundingWords, *reconstruct.compounding)));
   rules.number("fill_reach_mm", reconstruct.fillReach_mm);
   rules.text("seam", stitching::nameOf(reconstruct.seam));
   rules.number("feather_mm", reconstruct.feather_mm);

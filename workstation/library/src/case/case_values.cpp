@@ -1,21 +1,14 @@
 #include "ew/library/case_values.h"
+#include "ew/core/word_table.h"
 #include "ew/library/echoes_field.h"
 
 namespace ew {
 
 const std::string& titleForTrainees(const Case& shown) { return shown.titleForTrainees.empty() ? shown.title : shown.titleForTrainees; }
 
-const char* nameOf(CaseTarget::Kind kind) {
-  switch (kind) {
-    case CaseTarget::Kind::point:
-      return "point";
-    case CaseTarget::Kind::plane:
-      return "plane";
-    case CaseTarget::Kind::structure:
-      return "structure";
-  }
-  return "";
-}
+constexpr WordTable<CaseTarget::Kind, 3> kCaseTargetKindWords{
+    {{"point", CaseTarget::Kind::point}, {"plane", CaseTarget::Kind::plane}, {"structure", CaseTarget::Kind::structure}}};
+const char* nameOf(CaseTarget::Kind kind) { return wordIn(kCaseTargetKindWords, kind); }
 
 bool hasNoVolume(const Case& opened) { return opened.volume.file.empty() && opened.volume.recipe.empty(); }
 

@@ -1,7 +1,6 @@
 #include "case/manifest.h"
 
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include "ew/acquisition/reconstruct_words.h"
@@ -94,8 +93,8 @@ namespace {
 CaseReconstruction reconstructionOf(const json& object) {
   CaseReconstruction made;
   if (object.contains("spacing_mm")) made.spacing_mm = object["spacing_mm"].get<double>();
-  made.interpolation = meaningOf(kInterpolationWords, textAt(object, "interpolation"));
-  made.compounding = meaningOf(kCompoundingWords, textAt(object, "compounding"));
+  made.interpolation = meaningIn(kInterpolationWords, textAt(object, "interpolation"));
+  made.compounding = meaningIn(kCompoundingWords, textAt(object, "compounding"));
   if (object.contains("fill_reach_mm")) made.fillReach_mm = object["fill_reach_mm"].get<double>();
   const std::string seam = textAt(object, "seam", stitching::nameOf(made.seam));
   for (const auto method : {stitching::SeamMethod::feather, stitching::SeamMethod::nearest, stitching::SeamMethod::graphCut})
@@ -108,8 +107,8 @@ CaseReconstruction reconstructionOf(const json& object) {
 ordered_json toJson(const CaseReconstruction& reconstruct) {
   ordered_json object = ordered_json::object();
   if (reconstruct.spacing_mm) object["spacing_mm"] = *reconstruct.spacing_mm;
-  if (reconstruct.interpolation) object["interpolation"] = wordOf(kInterpolationWords, *reconstruct.interpolation);
-  if (reconstruct.compounding) object["compounding"] = wordOf(kCompoundingWords, *reconstruct.compounding);
+  if (reconstruct.interpolation) object["interpolation"] = wordIn(kInterpolationWords, *reconstruct.interpolation);
+  if (reconstruct.compounding) object["compounding"] = wordIn(kCompoundingWords, *reconstruct.compounding);
   if (reconstruct.fillReach_mm) object["fill_reach_mm"] = *reconstruct.fillReach_mm;
   object["seam"] = stitching::nameOf(reconstruct.seam);
   object["feather_mm"] = reconstruct.feather_mm;

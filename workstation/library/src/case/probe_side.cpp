@@ -5,14 +5,12 @@
 #include <vector>
 
 #include "ew/core/contract.h"
+#include "ew/core/word_table.h"
 
 namespace ew {
 namespace {
 
 constexpr double kClear = 0.7;  // a side that is twice as bright or half as wide leaves no doubt
-
-constexpr std::array kVolumeSides{VolumeSide::front, VolumeSide::back,  VolumeSide::left,
-                                  VolumeSide::right, VolumeSide::upper, VolumeSide::lower};
 
 /// Where beams go that come from a side of a patient in LPS.
 glm::dvec3 inwardFrom(VolumeSide side) {
@@ -87,6 +85,13 @@ int axisAlong(const Grid& own, const glm::dvec3& direction) {
   return best;
 }
 
+constexpr WordTable<VolumeSide, 6> kVolumeSideWords{{{"front", VolumeSide::front},
+                                                     {"back", VolumeSide::back},
+                                                     {"left", VolumeSide::left},
+                                                     {"right", VolumeSide::right},
+                                                     {"upper", VolumeSide::upper},
+                                                     {"lower", VolumeSide::lower}}};
+
 }  // namespace
 
 glm::dvec3 inwardOf(const Grid& own, std::size_t side) {
@@ -110,34 +115,15 @@ std::array<SweepAxes, 6> axesOfFaces(const Grid& own, const glm::dvec3& lateral)
   return all;
 }
 
-const char* nameOf(VolumeSide side) {
-  switch (side) {
-    case VolumeSide::front:
-      return "front";
-    case VolumeSide::back:
-      return "back";
-    case VolumeSide::left:
-      return "left";
-    case VolumeSide::right:
-      return "right";
-    case VolumeSide::upper:
-      return "upper";
-    case VolumeSide::lower:
-      return "lower";
-  }
-  return "";
-}
+const char* nameOf(VolumeSide side) { return wordIn(kVolumeSideWords, side); }
 
-std::optional<VolumeSide> volumeSideOf(std::string_view name) {
-  for (const VolumeSide side : kVolumeSides)
-    if (name == nameOf(side)) return side;
-  return std::nullopt;
-}
+std::optional<VolumeSide> volumeSideOf(std::string_view name) { return meaningIn(kVolumeSideWords, name); }
 
 VolumeSide volumeSideOf(const SweepAxes& axes) {
-  return *std::max_element(kVolumeSides.begin(), kVolumeSides.end(), [&](VolumeSide a, VolumeSide b) {
-    return glm::dot(inwardFrom(a), axes.depth) < glm::dot(inwardFrom(b), axes.depth);
+  const auto most = std::max_element(kVolumeSideWords.begin(), kVolumeSideWords.end(), [&](const auto& a, const auto& b) {
+    return glm::dot(inwardFrom(a.second), axes.depth) < glm::dot(inwardFrom(b.second), axes.depth);
   });
+  return most->second;
 }
 
 SweepAxes axesFrom(const Grid& own, VolumeSide side) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/core/json_fields.h"
+#include "ew/core/word_table.h"
 #include "ew/io/safe_file.h"
 
 namespace ew {
@@ -16,21 +17,12 @@ constexpr double kNewShare = 0.5;  // of what was just measured: a machine's loa
 constexpr std::array<double, kPreparationSteps.size()> kNominal = {0.5, 0.55, 1.6, 0.15, 0.3};
 
 /// In the file.
-const char* wordOf(PreparationStep step) {
-  switch (step) {
-    case PreparationStep::patient:
-      return "patient";
-    case PreparationStep::voxelise:
-      return "voxels";
-    case PreparationStep::record:
-      return "recording";
-    case PreparationStep::reconstruct:
-      return "reconstructing";
-    case PreparationStep::stitch:
-      return "stitch";
-  }
-  return "";
-}
+constexpr WordTable<PreparationStep, 5> kPreparationStepWords{{{"patient", PreparationStep::patient},
+                                                               {"voxels", PreparationStep::voxelise},
+                                                               {"recording", PreparationStep::record},
+                                                               {"reconstructing", PreparationStep::reconstruct},
+                                                               {"stitch", PreparationStep::stitch}}};
+const char* wordOf(PreparationStep step) { return wordIn(kPreparationStepWords, step); }
 
 nlohmann::json readKept(const std::filesystem::path& folder) {
   const auto text = readTextFile(folder / kSpeedFile, 1u << 16);

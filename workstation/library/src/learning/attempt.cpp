@@ -8,9 +8,9 @@
 #include <random>
 
 #include "ew/core/json_fields.h"
-#include "ew/core/message.h"
 #include "ew/core/message_json.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
@@ -29,10 +29,10 @@ constexpr std::size_t kLargestAttempt_bytes = 64u << 20;
 constexpr std::size_t kMostOutcomes = 10'000, kMostRemarks = 1000;
 constexpr std::size_t kLongestPerson = 20'000, kLongestFileName = 240, kLongestLaunch = 100;
 
-constexpr std::array<std::pair<std::string_view, StepVerdict>, 4> kVerdicts = {{{"passed", StepVerdict::passed},
-                                                                                {"failed", StepVerdict::failed},
-                                                                                {"skipped", StepVerdict::skipped},
-                                                                                {"handed_in", StepVerdict::handedIn}}};
+constexpr WordTable<StepVerdict, 4> kVerdicts = {{{"passed", StepVerdict::passed},
+                                                  {"failed", StepVerdict::failed},
+                                                  {"skipped", StepVerdict::skipped},
+                                                  {"handed_in", StepVerdict::handedIn}}};
 constexpr std::array<std::string_view, 14> kAttemptFields = {"format",  "id",       "case",       "lesson",       "lesson_title",
                                                              "person",  "program",  "started_at", "finished_at",  "lesson_content",
                                                              "running", "outcomes", "launch",     "mastery_score"};
@@ -105,7 +105,7 @@ Message passedWord(bool passed) { return passed ? say<"passed">() : say<"not pas
 
 StepResult readStepResult(const JsonFields& fields, std::size_t most) {
   StepResult result;
-  result.verdict = fields.word<std::string_view, StepVerdict>("verdict", kVerdicts);
+  result.verdict = fields.word("verdict", kVerdicts);
   result.score = fields.number("score", 0.0, 1.0);
   for (const JsonFields& figure : fields.objects("figures", 0, most))
     result.figures.push_back({figure.text("name"), figure.number("value", -1e300, 1e300), figure.text("unit", std::string(), 0, 20)});
@@ -122,8 +122,7 @@ StepResult readStepResult(const JsonFields& fields, std::size_t most) {
 }
 
 void writeStepResult(const StepResult& result, json& into) {
-  for (const auto& [word, verdict] : kVerdicts)
-    if (verdict == result.verdict) into["verdict"] = word;
+  into["verdict"] = wordIn(kVerdicts, result.verdict);
   into["score"] = result.score;
   for (const Figure& figure : result.figures) {
     json each = {{"name", figure.name}, {"value", figure.value}};

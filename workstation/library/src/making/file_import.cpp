@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "ew/core/figures.h"
+#include "ew/core/word_table.h"
 #include "ew/io/cine_reader.h"
 #include "ew/io/dicom_stack.h"
 #include "ew/io/image_stack.h"
@@ -181,31 +182,19 @@ Result<FileImportResult> read(FileKind kind, const fs::path& file, const ImportA
       file);
 }
 
+constexpr WordTable<FileKind, 9> kFileKindWords{{{"volume", FileKind::volume},
+                                                 {"sweep", FileKind::sweep},
+                                                 {"DICOM images", FileKind::dicomImages},
+                                                 {"Enhanced US Volume", FileKind::dicomVolume},
+                                                 {"folder of DICOM stills", FileKind::dicomStack},
+                                                 {"Kretz volume", FileKind::kretz},
+                                                 {"pictures", FileKind::images},
+                                                 {"film", FileKind::film},
+                                                 {"raw samples", FileKind::raw}}};
+
 }  // namespace
 
-const char* nameOf(FileKind kind) {
-  switch (kind) {
-    case FileKind::volume:
-      return "volume";
-    case FileKind::sweep:
-      return "sweep";
-    case FileKind::dicomImages:
-      return "DICOM images";
-    case FileKind::dicomVolume:
-      return "Enhanced US Volume";
-    case FileKind::dicomStack:
-      return "folder of DICOM stills";
-    case FileKind::kretz:
-      return "Kretz volume";
-    case FileKind::images:
-      return "pictures";
-    case FileKind::film:
-      return "film";
-    case FileKind::raw:
-      return "raw samples";
-  }
-  return "";
-}
+const char* nameOf(FileKind kind) { return wordIn(kFileKindWords, kind); }
 
 Result<FileKind> kindOfFile(const fs::path& file) {
   std::error_code ec;

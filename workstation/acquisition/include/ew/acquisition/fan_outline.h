@@ -5,6 +5,7 @@
 
 #include "ew/acquisition/reconstruct.h"
 #include "ew/core/image.h"
+#include "ew/core/word_table.h"
 
 namespace ew {
 
@@ -14,7 +15,8 @@ enum class FanShape {
   convex,  ///< two straight sides of one apex, near and far arc about it
   sector   ///< the same with the apex at the face (near radius below a tenth of the far one): phased arrays
 };
-[[nodiscard]] const char* nameOf(FanShape shape);
+inline constexpr WordTable<FanShape, 3> kFanShapeWords{
+    {{"linear", FanShape::linear}, {"convex", FanShape::convex}, {"sector", FanShape::sector}}};
 
 /// The outline of a scan, in pixels of the image it lies in; pixel centres at integers, y down.
 struct FanOutline {
@@ -26,7 +28,7 @@ struct FanOutline {
   double near_px = 0.0;
   double far_px = 0.0;
 
-  /// "rectangle", "parallelogram" or "trapezoid" for linear, by angles of its sides (1.5 degrees); else nameOf(shape).
+  /// "rectangle", "parallelogram" or "trapezoid" for linear, by angles of its sides (1.5 degrees); else the word of the shape.
   [[nodiscard]] const char* word() const;
   [[nodiscard]] bool contains(glm::dvec2 p_px) const;
   /// Along the beams: far - near radius, or the mean height of the upright sides.

@@ -1,0 +1,28 @@
+#include "ew/core/word_table.h"
+
+#include <gtest/gtest.h>
+
+namespace ew {
+namespace {
+
+enum class Side { left, right, unknown };
+constexpr WordTable<Side, 2> kSideWords{{{"left", Side::left}, {"on the right", Side::right}}};
+
+TEST(WordTable, LeadsFromAValueToItsWordAndBack) {
+  for (const auto& [word, side] : kSideWords) {
+    EXPECT_STREQ(wordIn(kSideWords, side), word);
+    EXPECT_EQ(meaningIn(kSideWords, word), side);
+  }
+  static_assert(std::string_view(wordIn(kSideWords, Side::right)) == "on the right");
+}
+
+TEST(WordTable, KnowsNoOtherWords) {
+  for (const char* word : {"", "Left", "left ", "on the righ", "unknown"}) EXPECT_FALSE(meaningIn(kSideWords, word)) << word;
+}
+
+#ifdef EW_CHECK_CONTRACTS
+TEST(WordTable, IsAskedForItsOwnValuesAlone) { EXPECT_DEATH(static_cast<void>(wordIn(kSideWords, Side::unknown)), "contract broken"); }
+#endif
+
+}  // namespace
+}  // namespace ew
