@@ -1,39 +1,21 @@
 #include "ew/registration/verdict.h"
 
+#include "ew/core/word_table.h"
+
 namespace ew::registration {
 
-const char* nameOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::aligned:
-      return "aligned";
-    case Verdict::notAligned:
-      return "not aligned";
-    case Verdict::cannotTell:
-      return "cannot tell";
-  }
-  return "cannot tell";
-}
+constexpr WordTable<Verdict, 3> kVerdictWords{
+    {{"aligned", Verdict::aligned}, {"not aligned", Verdict::notAligned}, {"cannot tell", Verdict::cannotTell}}};
+const char* nameOf(Verdict verdict) { return wordIn(kVerdictWords, verdict); }
 
-const char* nameOf(StopReason reason) {
-  switch (reason) {
-    case StopReason::notRun:
-      return "not run";
-    case StopReason::converged:
-      return "converged";
-    case StopReason::iterationLimit:
-      return "iteration limit";
-    case StopReason::timeLimit:
-      return "time limit";
-    case StopReason::noImprovement:
-      return "no improvement";
-    case StopReason::singular:
-      return "singular";
-    case StopReason::noOverlap:
-      return "no overlap";
-    case StopReason::cancelled:
-      return "cancelled";
-  }
-  return "not run";
-}
+constexpr WordTable<StopReason, 8> kStopReasonWords{{{"not run", StopReason::notRun},
+                                                     {"converged", StopReason::converged},
+                                                     {"iteration limit", StopReason::iterationLimit},
+                                                     {"time limit", StopReason::timeLimit},
+                                                     {"no improvement", StopReason::noImprovement},
+                                                     {"singular", StopReason::singular},
+                                                     {"no overlap", StopReason::noOverlap},
+                                                     {"cancelled", StopReason::cancelled}}};
+const char* nameOf(StopReason reason) { return wordIn(kStopReasonWords, reason); }
 
 }  // namespace ew::registration

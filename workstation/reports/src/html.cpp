@@ -1,5 +1,6 @@
 #include "ew/reports/html.h"
 
+#include "ew/core/word_table.h"
 #include "ew/io/safe_file.h"
 #include "ew/reports/image_file.h"
 #include "html_style.h"
@@ -8,21 +9,12 @@
 namespace ew {
 namespace {
 
-std::string wordOf(ReportTone tone) {
-  switch (tone) {
-    case ReportTone::plain:
-      return "";
-    case ReportTone::soft:
-      return "soft";
-    case ReportTone::good:
-      return "good";
-    case ReportTone::bad:
-      return "bad";
-    case ReportTone::caution:
-      return "caution";
-  }
-  return {};
-}
+constexpr WordTable<ReportTone, 5> kReportToneWords{{{"", ReportTone::plain},
+                                                     {"soft", ReportTone::soft},
+                                                     {"good", ReportTone::good},
+                                                     {"bad", ReportTone::bad},
+                                                     {"caution", ReportTone::caution}}};
+std::string wordOf(ReportTone tone) { return wordIn(kReportToneWords, tone); }
 
 std::string classOf(const std::string& words) { return words.empty() ? std::string() : " class='" + words + "'"; }
 

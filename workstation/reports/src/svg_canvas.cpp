@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ew/core/word_table.h"
 #include "ew/reports/html.h"
 #include "report_numbers.h"
 
@@ -21,17 +22,8 @@ std::string painting(const std::string& colour, bool isFilled) {
   return attribute("fill", isFilled ? std::string_view(colour) : "none") + attribute("stroke", colour) + attribute("stroke-width", "1.5");
 }
 
-const char* wordOf(Anchor anchor) {
-  switch (anchor) {
-    case Anchor::start:
-      return "start";
-    case Anchor::middle:
-      return "middle";
-    case Anchor::end:
-      return "end";
-  }
-  return "";
-}
+constexpr WordTable<Anchor, 3> kAnchorWords{{{"start", Anchor::start}, {"middle", Anchor::middle}, {"end", Anchor::end}}};
+const char* wordOf(Anchor anchor) { return wordIn(kAnchorWords, anchor); }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ew/assessment/random_numbers.h"
+#include "ew/core/word_table.h"
 
 namespace ew {
 namespace {
@@ -69,19 +70,12 @@ void limit(TraineeHabits& habits) {
   habits.sweepShort = std::min(habits.sweepShort, 0.9);
 }
 
+constexpr WordTable<SkillLevel, 3> kSkillLevelWords{
+    {{"novice", SkillLevel::novice}, {"intermediate", SkillLevel::intermediate}, {"expert", SkillLevel::expert}}};
+
 }  // namespace
 
-std::string_view wordOf(SkillLevel level) {
-  switch (level) {
-    case SkillLevel::novice:
-      return "novice";
-    case SkillLevel::intermediate:
-      return "intermediate";
-    case SkillLevel::expert:
-      return "expert";
-  }
-  return {};
-}
+std::string_view wordOf(SkillLevel level) { return wordIn(kSkillLevelWords, level); }
 
 std::span<const HabitRange> habitRanges() { return kRanges; }
 

@@ -1,10 +1,10 @@
-#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "ew/core/data_file.h"
 #include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
+#include "ew/core/word_table.h"
 #include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 #include "ew/trackers/tracker_settings.h"
@@ -18,25 +18,16 @@ using nlohmann::json;
 constexpr std::size_t kLongestPath = 4096;
 
 enum class SourceKind { igtl, camera, recording, spaceMouse, gameController };
-constexpr std::array kSourceWords{
-    std::pair{std::string_view("openigtlink"), SourceKind::igtl}, std::pair{std::string_view("camera"), SourceKind::camera},
-    std::pair{std::string_view("recording"), SourceKind::recording}, std::pair{std::string_view("space_mouse"), SourceKind::spaceMouse},
-    std::pair{std::string_view("game_controller"), SourceKind::gameController}};
-constexpr std::array kFilterWords{
-    std::pair{std::string_view("automatic"), FilterKind::automatic}, std::pair{std::string_view("none"), FilterKind::none},
-    std::pair{std::string_view("kalman"), FilterKind::kalman}, std::pair{std::string_view("one_euro"), FilterKind::oneEuro}};
-constexpr std::array kModeWords{std::pair{std::string_view("rate"), RateMode::rate},
-                                std::pair{std::string_view("spring_back"), RateMode::springBack}};
-constexpr std::array kCornerWords{std::pair{std::string_view("contour"), CornerMethod::contour},
-                                  std::pair{std::string_view("sub_pixel"), CornerMethod::subPix},
-                                  std::pair{std::string_view("edges"), CornerMethod::edges}};
-
-template <class E, std::size_t N>
-std::string trackerWord(const std::array<std::pair<std::string_view, E>, N>& words, E value) {
-  for (const auto& [word, each] : words)
-    if (each == value) return std::string(word);
-  return {};
-}
+constexpr WordTable<SourceKind, 5> kSourceWords{{{"openigtlink", SourceKind::igtl},
+                                                 {"camera", SourceKind::camera},
+                                                 {"recording", SourceKind::recording},
+                                                 {"space_mouse", SourceKind::spaceMouse},
+                                                 {"game_controller", SourceKind::gameController}}};
+constexpr WordTable<FilterKind, 4> kFilterWords{
+    {{"automatic", FilterKind::automatic}, {"none", FilterKind::none}, {"kalman", FilterKind::kalman}, {"one_euro", FilterKind::oneEuro}}};
+constexpr WordTable<RateMode, 2> kModeWords{{{"rate", RateMode::rate}, {"spring_back", RateMode::springBack}}};
+constexpr WordTable<CornerMethod, 3> kCornerWords{
+    {{"contour", CornerMethod::contour}, {"sub_pixel", CornerMethod::subPix}, {"edges", CornerMethod::edges}}};
 
 // What is not filled in yet may be kept: the device says what is missing.
 IgtlSettings igtlIn(const JsonFields& fields) {
@@ -71,7 +62,7 @@ CameraTrackingOptions cameraTrackingIn(const JsonFields& fields) {
 }
 
 json jsonOf(const CameraTrackingOptions& tracking) {
-  return {{"corners", trackerWord(kCornerWords, tracking.corners)},
+  return {{"corners", wordIn(kCornerWords, tracking.corners)},
           {"most_markers", tracking.mostMarkers},
           {"half_search", tracking.halfSearch},
           {"follows_regions", tracking.followsRegions},
@@ -155,7 +146,7 @@ HandControllerSettings controllerIn(const JsonFields& fields, HandControllerKind
 json jsonOf(const HandControllerSettings& controller) {
   json axes = json::array();
   for (const RateAxis& axis : controller.hand.axes) axes.push_back({{"axis", axis.axis}, {"reversed", axis.reversed}, {"full", axis.full}});
-  return {{"mode", trackerWord(kModeWords, controller.hand.mode)},
+  return {{"mode", wordIn(kModeWords, controller.hand.mode)},
           {"dead_zone", controller.hand.deadZone},
           {"curve", controller.hand.curve},
           {"axes", std::move(axes)}};
@@ -182,7 +173,7 @@ TrackedProbeOptions probeIn(const JsonFields& fields) {
 }
 
 json jsonOf(const TrackedProbeOptions& probe) {
-  return {{"tool", probe.tool},       {"reference", probe.reference},        {"filter", trackerWord(kFilterWords, probe.filter)},
+  return {{"tool", probe.tool},       {"reference", probe.reference},        {"filter", wordIn(kFilterWords, probe.filter)},
           {"predict", probe.predict}, {"stale_after_s", probe.staleAfter_s}, {"well_measured_mm", probe.wellMeasured_mm}};
 }
 
@@ -247,7 +238,7 @@ json toJson(const TrackerList& list) {
   for (const TrackerSettings& each : list.trackers)
     trackers.push_back({{"id", each.id},
                         {"name", each.name},
-                        {"source", trackerWord(kSourceWords, kindOf(each))},
+                        {"source", wordIn(kSourceWords, kindOf(each))},
                         {"settings", std::visit([](const auto& source) { return jsonOf(source); }, each.source)},
                         {"probe", jsonOf(each.probe)}});
   return {{"format", TrackerList::kFormat}, {"trackers", std::move(trackers)},     {"chosen", list.chosen},

@@ -8,6 +8,7 @@
 
 #include "bench/tools/bench_parts.h"
 #include "ew/core/json_fields.h"
+#include "ew/core/word_table.h"
 #include "ew/io/safe_file.h"
 #include "ew/trackers/camera_tracking.h"
 #include "ew/tracking/pose_filter.h"
@@ -18,19 +19,9 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-const char* wordOf(FilterKind kind) {
-  switch (kind) {
-    case FilterKind::automatic:
-      return "automatic";
-    case FilterKind::none:
-      return "none";
-    case FilterKind::kalman:
-      return "kalman";
-    case FilterKind::oneEuro:
-      return "one_euro";
-  }
-  return "";
-}
+constexpr WordTable<FilterKind, 4> kFilterKindWords{
+    {{"automatic", FilterKind::automatic}, {"none", FilterKind::none}, {"kalman", FilterKind::kalman}, {"one_euro", FilterKind::oneEuro}}};
+const char* wordOf(FilterKind kind) { return wordIn(kFilterKindWords, kind); }
 
 struct TruthFrame {
   GreyImage image;
@@ -147,17 +138,9 @@ std::vector<TrackingSetting> trackingSettings() {
           {"estimatePoseBoard, half the resolution", true, 12, CornerMethod::subPix, FilterKind::none, true}};
 }
 
-const char* nameOf(CornerMethod method) {
-  switch (method) {
-    case CornerMethod::contour:
-      return "contour";
-    case CornerMethod::subPix:
-      return "saddle";
-    case CornerMethod::edges:
-      break;
-  }
-  return "edges";
-}
+constexpr WordTable<CornerMethod, 3> kCornerMethodWords{
+    {{"contour", CornerMethod::contour}, {"saddle", CornerMethod::subPix}, {"edges", CornerMethod::edges}}};
+const char* nameOf(CornerMethod method) { return wordIn(kCornerMethodWords, method); }
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 

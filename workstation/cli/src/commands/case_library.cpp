@@ -6,6 +6,7 @@
 
 #include "ew/core/ending.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/library/bundle.h"
 #include "ew/library/instructor_log.h"
 #include "ew/library/learning_progress.h"
@@ -197,17 +198,9 @@ CaseById caseByIdFor(const Case& opened) {
   };
 }
 
-const char* wordOf(CheckItem::State state) {
-  switch (state) {
-    case CheckItem::State::done:
-      return "done";
-    case CheckItem::State::warning:
-      return "look at";
-    case CheckItem::State::missing:
-      return "missing";
-  }
-  return "";
-}
+constexpr WordTable<CheckItem::State, 3> kCheckItemStateWords{
+    {{"done", CheckItem::State::done}, {"look at", CheckItem::State::warning}, {"missing", CheckItem::State::missing}}};
+const char* wordOf(CheckItem::State state) { return wordIn(kCheckItemStateWords, state); }
 
 /// The list an author goes through; what is done goes into the report alone.
 void tellList(const std::vector<CheckItem>& list, Run& run) {

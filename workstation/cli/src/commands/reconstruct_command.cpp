@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "commands/reconstruct_phases.h"
@@ -86,14 +85,14 @@ SweepImportOptions importOptionsOf(const ReconstructArguments& arguments) {
                    .interpolation = arguments.interpolation.empty(),
                    .compounding = arguments.compounding.empty(),
                    .fillReach = arguments.fill};
-  options.confidence.method = meaningOf(kConfidenceMethodWords, arguments.confidence).value_or(options.confidence.method);
+  options.confidence.method = meaningIn(kConfidenceMethodWords, arguments.confidence).value_or(options.confidence.method);
   auto& reconstruction = options.reconstruct;
   if (arguments.spacing_mm) reconstruction.spacing_mm = *arguments.spacing_mm;
-  if (!arguments.interpolation.empty()) reconstruction.interpolation = *meaningOf(kInterpolationWords, arguments.interpolation);
-  if (!arguments.compounding.empty()) reconstruction.compounding = *meaningOf(kCompoundingWords, arguments.compounding);
+  if (!arguments.interpolation.empty()) reconstruction.interpolation = *meaningIn(kInterpolationWords, arguments.interpolation);
+  if (!arguments.compounding.empty()) reconstruction.compounding = *meaningIn(kCompoundingWords, arguments.compounding);
   reconstruction.fillReach_mm = arguments.fillReach_mm.value_or(0.0);
   options.fillReach_voxels = arguments.fillReach_voxels;
-  reconstruction.fillMethod = meaningOf(kFillMethodWords, arguments.fillMethod).value_or(reconstruction.fillMethod);
+  reconstruction.fillMethod = meaningIn(kFillMethodWords, arguments.fillMethod).value_or(reconstruction.fillMethod);
   reconstruction.keepSource = !arguments.provenance.empty();
   reconstruction.threads = arguments.threads;
   reconstruction.clip = clipOf(arguments);
@@ -106,12 +105,12 @@ nlohmann::json optionsReport(const ReconstructArguments& arguments, const Import
           {"poses", arguments.poses.empty() ? nlohmann::json() : nlohmann::json(arguments.poses)},
           {"image_to", plan.toFrame},
           {"spacing_mm", done.spacing_mm},
-          {"interpolation", wordOf(kInterpolationWords, done.interpolation)},
-          {"compounding", wordOf(kCompoundingWords, done.compounding)},
-          {"confidence", done.compounding == Compounding::weighted ? nlohmann::json(wordOf(kConfidenceMethodWords, plan.confidence.method))
+          {"interpolation", wordIn(kInterpolationWords, done.interpolation)},
+          {"compounding", wordIn(kCompoundingWords, done.compounding)},
+          {"confidence", done.compounding == Compounding::weighted ? nlohmann::json(wordIn(kConfidenceMethodWords, plan.confidence.method))
                                                                    : nlohmann::json()},
           {"fill_reach_mm", done.fillReach_mm},
-          {"fill_method", wordOf(kFillMethodWords, done.fillMethod)},
+          {"fill_method", wordIn(kFillMethodWords, done.fillMethod)},
           {"threads", done.threads},
           {"clip", toJson(done.clip)}};
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/gate_sweep.h"
 #include "run/arguments.h"
@@ -16,19 +17,9 @@ GateBy gateOf(const std::string& word) {
   return word == "images" ? GateBy::images : GateBy::automatic;
 }
 
-const char* nameOf(GateBy by) {
-  switch (by) {
-    case GateBy::ecg:
-      return "ecg";
-    case GateBy::respiration:
-      return "respiration";
-    case GateBy::images:
-      return "images";
-    case GateBy::automatic:
-      break;
-  }
-  return "automatic";
-}
+constexpr WordTable<GateBy, 4> kGateByWords{
+    {{"ecg", GateBy::ecg}, {"respiration", GateBy::respiration}, {"images", GateBy::images}, {"automatic", GateBy::automatic}}};
+const char* nameOf(GateBy by) { return wordIn(kGateByWords, by); }
 
 }  // namespace
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "ew/core/contract.h"
+#include "ew/core/word_table.h"
 #include "patient/anatomy.h"
 
 namespace ew {
@@ -14,7 +14,6 @@ namespace {
 using phantom::CentreLine;
 using phantom::MeasurementKind;
 using phantom::MeasurementRequest;
-using phantom::ShapePtr;
 using phantom::TubePlace;
 
 constexpr double kScan_mm = 0.2;        // nothing thinner is looked for along a line
@@ -414,22 +413,6 @@ Taken volumeOf(const Patient& patient, const MeasurementRequest& request, const 
   return taken;
 }
 
-const char* nameOf(MeasurementKind kind) {
-  switch (kind) {
-    case MeasurementKind::distance:
-      return "distance";
-    case MeasurementKind::diameter:
-      return "diameter";
-    case MeasurementKind::extent:
-      return "extent";
-    case MeasurementKind::circumference:
-      return "circumference";
-    case MeasurementKind::volume:
-      break;
-  }
-  return "volume";
-}
-
 }  // namespace
 
 Result<std::vector<TrueMeasurement>> measurementsOf(const Patient& patient, const BodyState& state, Progress& progress) try {
@@ -454,7 +437,7 @@ Result<std::vector<TrueMeasurement>> measurementsOf(const Patient& patient, cons
     }();
     if (!taken) return passOn(taken.error());
     taken->name = request.name;
-    taken->kind = nameOf(request.kind);
+    taken->kind = wordIn(phantom::kMeasurementKindWords, request.kind);
     taken->plane = request.plane;
     all.push_back(std::move(*taken));
   }

@@ -1,8 +1,6 @@
 #include "patient/truth_recipe.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <set>
 
 #include "ew/core/numbers.h"
@@ -28,12 +26,7 @@ std::vector<std::string> readNames(const JsonFields& object, const std::string& 
   return names;
 }
 
-constexpr std::array<std::pair<std::string_view, MeasurementKind>, 5> kMeasurementKinds{{{"circumference", MeasurementKind::circumference},
-                                                                                         {"diameter", MeasurementKind::diameter},
-                                                                                         {"distance", MeasurementKind::distance},
-                                                                                         {"extent", MeasurementKind::extent},
-                                                                                         {"volume", MeasurementKind::volume}}};
-constexpr std::array<std::pair<std::string_view, TubePlace>, 3> kTubePlaces{
+constexpr WordTable<TubePlace, 3> kTubePlaces{
     {{"largest", TubePlace::largest}, {"smallest", TubePlace::smallest}, {"given", TubePlace::given}}};
 
 glm::dvec3 readDirection(const JsonFields& object, const std::string& field, const glm::dvec3& fallback) {
@@ -49,7 +42,7 @@ MeasurementRequest readMeasurement(const JsonFields& object, const ShapesByName&
       {"kind", "plane", "of", "from_surface", "to_surface", "gap_between", "at_mm", "from_mm", "to_mm", "direction", "normal", "place"});
   if (!object.good()) return read;
   read.name = object.text("name");
-  read.kind = object.word("kind", kMeasurementKinds);
+  read.kind = object.word("kind", kMeasurementKindWords);
   read.plane = object.text("plane", "");
   read.of = readNames(object, "of", shapes);
   read.gap = readNames(object, "gap_between", shapes);

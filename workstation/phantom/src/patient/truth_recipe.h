@@ -5,12 +5,18 @@
 #include <vector>
 
 #include "ew/core/progress.h"
+#include "ew/core/word_table.h"
 #include "ew/phantom/truth.h"
 #include "patient/recipe.h"
 
 namespace ew::phantom {
 
 enum class MeasurementKind { distance, diameter, extent, circumference, volume };
+inline constexpr WordTable<MeasurementKind, 5> kMeasurementKindWords{{{"distance", MeasurementKind::distance},
+                                                                      {"diameter", MeasurementKind::diameter},
+                                                                      {"extent", MeasurementKind::extent},
+                                                                      {"circumference", MeasurementKind::circumference},
+                                                                      {"volume", MeasurementKind::volume}}};
 /// Where along a tube's centre line its diameter is taken.
 enum class TubePlace { given, largest, smallest };
 

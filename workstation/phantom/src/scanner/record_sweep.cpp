@@ -7,6 +7,7 @@
 
 #include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
+#include "ew/core/word_table.h"
 #include "ew/imaging/scan_conversion.h"
 #include "ew/io/gating_fields.h"
 #include "ew/phantom/contact_pressure.h"
@@ -83,19 +84,9 @@ Result<SweepForecast> forecast(const Patient& patient, const Probe& probe, const
 }
 
 /// As recordings name the way a motor moves.
-const char* motorWordOf(SweepKind kind) {
-  switch (kind) {
-    case SweepKind::freehand:
-      return "";
-    case SweepKind::parallel:
-      return "PARALLEL";
-    case SweepKind::fan:
-      return "FAN";
-    case SweepKind::rotational:
-      return "ROTATIONAL";
-  }
-  return "";
-}
+constexpr WordTable<SweepKind, 4> kSweepKindWords{
+    {{"", SweepKind::freehand}, {"PARALLEL", SweepKind::parallel}, {"FAN", SweepKind::fan}, {"ROTATIONAL", SweepKind::rotational}}};
+const char* motorWordOf(SweepKind kind) { return wordIn(kSweepKindWords, kind); }
 
 /// Fields of the whole recording.
 void describe(const Probe& probe, const SweepRecipe& recipe, const Trajectory& trajectory, const DisplayGeometry& image,

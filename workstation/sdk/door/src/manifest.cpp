@@ -4,6 +4,7 @@
 
 #include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
+#include "ew/core/word_table.h"
 #include "ew/door/door.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/schema.h"
@@ -23,27 +24,17 @@ void addFolder(std::vector<fs::path>& folders, const fs::path& folder) {
   if (!error && std::find(folders.begin(), folders.end(), whole) == folders.end()) folders.push_back(whole);
 }
 
+constexpr WordTable<PluginState, 7> kPluginStateWords{{{"found", PluginState::found},
+                                                       {"loaded", PluginState::loaded},
+                                                       {"bad manifest", PluginState::badManifest},
+                                                       {"other ABI", PluginState::otherAbi},
+                                                       {"not loadable", PluginState::notLoadable},
+                                                       {"failed", PluginState::failed},
+                                                       {"replaced", PluginState::replaced}}};
+
 }  // namespace
 
-const char* nameOf(PluginState state) {
-  switch (state) {
-    case PluginState::found:
-      return "found";
-    case PluginState::loaded:
-      return "loaded";
-    case PluginState::badManifest:
-      return "bad manifest";
-    case PluginState::otherAbi:
-      return "other ABI";
-    case PluginState::notLoadable:
-      return "not loadable";
-    case PluginState::failed:
-      return "failed";
-    case PluginState::replaced:
-      return "replaced";
-  }
-  return "unknown";
-}
+const char* nameOf(PluginState state) { return wordIn(kPluginStateWords, state); }
 
 std::string PluginStatus::title() const { return manifest ? manifest->title : folder.filename().string(); }
 

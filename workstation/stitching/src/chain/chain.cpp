@@ -7,6 +7,7 @@
 #include "chain/chain_run.h"
 #include "chain/steps/steps.h"
 #include "ew/core/elapsed.h"
+#include "ew/core/word_table.h"
 
 namespace ew::stitching {
 namespace {
@@ -38,27 +39,17 @@ Result<ResultFiles> checkedResultFiles(const StitchProject& project, const fs::p
   return seen;
 }
 
+constexpr WordTable<Step, 7> kStepWords{{{"reconstruct", Step::reconstruct},
+                                         {"equalise", Step::equalise},
+                                         {"rigid", Step::rigid},
+                                         {"graph", Step::graph},
+                                         {"elastic", Step::elastic},
+                                         {"seam", Step::seam},
+                                         {"volume", Step::volume}}};
+
 }  // namespace
 
-const char* nameOf(Step step) {
-  switch (step) {
-    case Step::reconstruct:
-      return "reconstruct";
-    case Step::equalise:
-      return "equalise";
-    case Step::rigid:
-      return "rigid";
-    case Step::graph:
-      return "graph";
-    case Step::elastic:
-      return "elastic";
-    case Step::seam:
-      return "seam";
-    case Step::volume:
-      return "volume";
-  }
-  return "volume";
-}
+const char* nameOf(Step step) { return wordIn(kStepWords, step); }
 
 const std::vector<std::string>& stepFolders() {
   static const std::vector<std::string> names = [] {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "chain/project_words.h"
+
 namespace ew::stitching {
 
 bool speaksOfPose(const ProjectPair& pair) {
@@ -38,78 +40,16 @@ bool operator==(const StitchProject& a, const StitchProject& b) {
   return a.volumes == b.volumes && a.pairs == b.pairs && rest(a) == rest(b) && grid(a) == grid(b) && seam(a) == seam(b);
 }
 
-const char* nameOf(Placement placement) {
-  switch (placement) {
-    case Placement::unknown:
-      return "unknown";
-    case Placement::tracker:
-      return "tracker";
-    case Placement::hand:
-      return "hand";
-  }
-  return "unknown";
-}
+const char* nameOf(Placement placement) { return wordIn(kPlacementWords, placement); }
 
-const char* nameOf(PairMethod method) {
-  switch (method) {
-    case PairMethod::automatic:
-      return "automatic";
-    case PairMethod::search:
-      return "search";
-    case PairMethod::refine:
-      return "refine";
-    case PairMethod::landmarks:
-      return "landmarks";
-    case PairMethod::byHand:
-      return "by hand";
-  }
-  return "automatic";
-}
+const char* nameOf(PairMethod method) { return wordIn(kPairMethodWords, method); }
 
-const char* nameOf(Decision decision) {
-  switch (decision) {
-    case Decision::undecided:
-      return "undecided";
-    case Decision::accepted:
-      return "accepted";
-    case Decision::rejected:
-      return "rejected";
-  }
-  return "undecided";
-}
+const char* nameOf(Decision decision) { return wordIn(kDecisionWords, decision); }
 
-const char* nameOf(registration::ElasticEffort effort) {
-  switch (effort) {
-    case registration::ElasticEffort::fast:
-      return "fast";
-    case registration::ElasticEffort::balanced:
-      return "balanced";
-    case registration::ElasticEffort::accurate:
-      return "accurate";
-  }
-  return "balanced";
-}
+const char* nameOf(registration::ElasticEffort effort) { return wordIn(kElasticEffortWords, effort); }
 
-const char* nameOf(SeamMethod method) {
-  switch (method) {
-    case SeamMethod::feather:
-      return "feather";
-    case SeamMethod::nearest:
-      return "nearest";
-    case SeamMethod::graphCut:
-      return "graph cut";
-  }
-  return "graph cut";
-}
+const char* nameOf(SeamMethod method) { return wordIn(kSeamMethodWords, method); }
 
-const char* nameOf(GridAxes axes) {
-  switch (axes) {
-    case GridAxes::first:
-      return "first";
-    case GridAxes::world:
-      return "world";
-  }
-  return "first";
-}
+const char* nameOf(GridAxes axes) { return wordIn(kGridAxesWords, axes); }
 
 }  // namespace ew::stitching

@@ -14,6 +14,7 @@
 
 #include "bench/tools/bench_parts.h"
 #include "ew/core/simd.h"
+#include "ew/core/word_table.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/layout_times.h"
 #include "ew/imaging/slicing.h"
@@ -74,17 +75,8 @@ Result<std::unique_ptr<SlicingScene>> makeScene(const BenchOptions& options, int
 
 /// What an own slicer reads: what the program chooses for each slice, or one layout always.
 enum class Read { chosen, rows, bricks };
-const char* wordOf(Read read) {
-  switch (read) {
-    case Read::chosen:
-      return "chosen";
-    case Read::rows:
-      return "rows";
-    case Read::bricks:
-      return "bricks";
-  }
-  return "";
-}
+constexpr WordTable<Read, 3> kReadWords{{{"chosen", Read::chosen}, {"rows", Read::rows}, {"bricks", Read::bricks}}};
+const char* wordOf(Read read) { return wordIn(kReadWords, read); }
 
 SliceSource sourceOf(const SlicingScene& scene, Read read) {
   const LayoutChoice choice = read == Read::chosen ? scene.times.choice() : read == Read::rows ? LayoutChoice() : LayoutChoice().set();

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "bench/tools/bench_parts.h"
-#include "ew/acquisition/reconstruct.h"
+#include "ew/acquisition/reconstruct_words.h"
 #include "ew/core/numbers.h"
 #include "run/report.h"
 
@@ -107,21 +107,9 @@ struct ReconstructSetting {
   std::vector<double> cpu_us;
 };
 
-const char* nameOf(Interpolation interpolation) {
-  switch (interpolation) {
-    case Interpolation::nearest:
-      return "nearest";
-    case Interpolation::linear:
-      return "linear";
-    case Interpolation::centred:
-      return "centred";
-  }
-  return {};
-}
-
 const char* fillNameOf(const ReconstructOptions& options) {
   if (options.fillReach_mm <= 0.0) return "none";
-  return options.fillMethod == FillMethod::sweep ? "sweep" : "bridges";
+  return wordIn(kFillMethodWords, options.fillMethod);
 }
 
 std::vector<ReconstructSetting> settingsOf(const std::vector<Sweep>& sweeps, const std::vector<std::vector<Truth>>& truths,
@@ -141,8 +129,8 @@ std::vector<ReconstructSetting> settingsOf(const std::vector<Sweep>& sweeps, con
             setting.options.threads = 1;
             setting.sweep = &sweeps[s];
             setting.truth = &truths[s][v];
-            setting.name = "reconstruct_" + sweeps[s].name + "/" + textOf(spacings_mm[v]) + "mm/" + nameOf(interpolation) + "/" +
-                           fillNameOf(setting.options);
+            setting.name = "reconstruct_" + sweeps[s].name + "/" + textOf(spacings_mm[v]) + "mm/" +
+                           wordIn(kInterpolationWords, interpolation) + "/" + fillNameOf(setting.options);
             if (reach_mm > 0.0) setting.name += "_" + textOf(reach_mm) + "mm";
             settings.push_back(std::move(setting));
           }
@@ -292,7 +280,7 @@ Result<json> benchReconstruct(const ReconstructBenchOptions& options, Progress& 
     const double median_us = medianOf(setting.cpu_us);
     report["results"].push_back({{"name", setting.name},
                                  {"sweep", setting.sweep->name},
-                                 {"interpolation", nameOf(setting.options.interpolation)},
+                                 {"interpolation", wordIn(kInterpolationWords, setting.options.interpolation)},
                                  {"fill_method", fillNameOf(setting.options)},
                                  {"fill_reach_mm", setting.options.fillReach_mm},
                                  {"spacing_mm", setting.options.spacing_mm},

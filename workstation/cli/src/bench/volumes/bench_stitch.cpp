@@ -7,6 +7,7 @@
 
 #include "bench/tools/bench_parts.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/phantom/speckle_view.h"
 #include "ew/stitching/equalise_views.h"
 #include "run/report.h"
@@ -78,17 +79,9 @@ double shadowError_db(const Views& made, const JoinResult& joined) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-const char* nameOf(SeamMethod method) {
-  switch (method) {
-    case SeamMethod::feather:
-      return "feather";
-    case SeamMethod::nearest:
-      return "nearest";
-    case SeamMethod::graphCut:
-      return "graph_cut";
-  }
-  return "";
-}
+constexpr WordTable<SeamMethod, 3> kSeamMethodWords{
+    {{"feather", SeamMethod::feather}, {"nearest", SeamMethod::nearest}, {"graph_cut", SeamMethod::graphCut}}};
+const char* nameOf(SeamMethod method) { return wordIn(kSeamMethodWords, method); }
 
 struct StitchSetting {
   std::string name;
