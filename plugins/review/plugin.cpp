@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <memory>
 
-#include "ew/sdk/host.h"
 #include "ew/sdk/workspaces.h"
 #include "panel/review_column.h"
 #include "panel/review_stage.h"

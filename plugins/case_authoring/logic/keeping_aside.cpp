@@ -1,7 +1,5 @@
 #include "logic/keeping_aside.h"
 
-#include <utility>
-
 namespace ew::case_authoring {
 
 void KeepingAside::keep(Painted painted, Done told) {

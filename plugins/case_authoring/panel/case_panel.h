@@ -13,10 +13,8 @@
 #include "ew/sdk/host.h"
 #include "logic/edits.h"
 
-class QComboBox;
 class QFormLayout;
 class QLabel;
-class QSpinBox;
 class QScrollArea;
 class QStackedWidget;
 class QVBoxLayout;

@@ -6,11 +6,9 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "ew/widgets/fields.h"
 #include "ew/widgets/theme.h"
-#include "ew/widgets/words.h"
 #include "panel/images_field.h"
 
 namespace ew::case_authoring {

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 
-#include "ew/sdk/placement_fields.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/theme.h"

@@ -18,7 +18,6 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <filesystem>
-#include <memory>
 
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"

@@ -11,7 +11,6 @@
 
 #include "ew/assessment/attempt_result.h"
 #include "ew/assessment/repetition_record.h"
-#include "ew/library/learning_progress.h"
 #include "ew/library/lesson_links.h"
 #include "ew/sdk/case_parts.h"
 #include "ew/sdk/person.h"

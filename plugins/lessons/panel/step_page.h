@@ -12,9 +12,7 @@
 #include "panel/click_guard.h"
 #include "panel/expert_player.h"
 
-class QAbstractButton;
 class QButtonGroup;
-class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;

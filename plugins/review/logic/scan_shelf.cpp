@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "ew/library/learning_progress.h"
 #include "ew/library/lesson_links.h"

@@ -8,7 +8,6 @@
 
 #include "panel/session/review_scan.h"
 
-class QLabel;
 class QVTKOpenGLNativeWidget;
 
 namespace ew::bridge {

@@ -1,7 +1,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
-#include <cmath>
 
 #include "ew/core/chart_axis.h"
 #include "ew/widgets/chart_card.h"

@@ -9,7 +9,6 @@
 
 #include "ew/assessment/review_comment.h"
 
-class QButtonGroup;
 class QComboBox;
 class QLabel;
 class QLineEdit;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
-#include <span>
 
 #include "ew/imaging/point_levels.h"
 

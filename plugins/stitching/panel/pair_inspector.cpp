@@ -12,16 +12,13 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
-#include "ew/sdk/placement_fields.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/labels.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
-#include "panel/charts.h"
 #include "panel/marks.h"
 #include "panel/stitch_session.h"
 

@@ -3,9 +3,6 @@
 #include <QPointer>
 #include <algorithm>
 #include <chrono>
-#include <map>
-#include <mutex>
-#include <set>
 #include <system_error>
 #include <utility>
 

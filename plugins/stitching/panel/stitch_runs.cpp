@@ -5,7 +5,6 @@
 #include <mutex>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "ew/core/memory.h"
 #include "ew/stitching/places.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "clip_spans.h"
 #include "ew/core/numbers.h"

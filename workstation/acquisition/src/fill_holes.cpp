@@ -1,13 +1,11 @@
 #include "ew/acquisition/fill_holes.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <new>
-#include <string>
 #include <vector>
 
 #include "clip_spans.h"

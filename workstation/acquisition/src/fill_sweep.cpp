@@ -1,7 +1,6 @@
 #include "fill_sweep.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>

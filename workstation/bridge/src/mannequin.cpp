@@ -11,7 +11,6 @@
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <new>
 

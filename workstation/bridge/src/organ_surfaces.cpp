@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "ew/bridge/convert.h"
 #include "ew/core/contract.h"

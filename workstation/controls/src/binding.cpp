@@ -1,6 +1,5 @@
 #include "ew/controls/binding.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ew::controls {

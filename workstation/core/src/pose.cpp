@@ -1,7 +1,5 @@
 #include "ew/core/pose.h"
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 

@@ -1,7 +1,6 @@
 #include "ew/export/measurement_report.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "dicom_elements.h"

@@ -1,7 +1,6 @@
 #include "discs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "cross.h"

@@ -1,7 +1,6 @@
 #include "edge_band.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 

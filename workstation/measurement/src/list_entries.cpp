@@ -1,7 +1,5 @@
 #include "ew/measurement/list_entries.h"
 
-#include <utility>
-
 namespace ew::measurement {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "ew/measurement/measurement_list.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ew::measurement {
 

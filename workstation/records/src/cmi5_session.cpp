@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "ew/assessment/attempt_result.h"
 #include "ew/core/foreign_json.h"
@@ -14,7 +13,6 @@ namespace {
 
 using nlohmann::json;
 using records::encoded;
-using records::HttpAnswer;
 using records::HttpClient;
 using records::HttpTrouble;
 

@@ -1,7 +1,6 @@
 #include "attempt_parts.h"
 
 #include <algorithm>
-#include <set>
 
 #include "report_words.h"
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "ew/core/chart_axis.h"
 #include "ew/core/figures.h"

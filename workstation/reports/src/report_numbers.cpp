@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "ew/assessment/judging.h"
-#include "ew/core/figures.h"
 #include "ew/reports/report_document.h"
 
 namespace ew {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "ew/core/ending.h"
 #include "ew/imaging/caption.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "ew/core/contract.h"
 #include "ew/scanning/contact.h"

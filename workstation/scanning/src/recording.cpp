@@ -1,7 +1,6 @@
 #include "ew/scanning/recording.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "event_json.h"

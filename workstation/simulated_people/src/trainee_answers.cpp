@@ -1,7 +1,6 @@
 #include "trainee_answers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "ew/assessment/judging.h"

@@ -1,6 +1,5 @@
 #include "trainee_hand.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

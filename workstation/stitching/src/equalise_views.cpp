@@ -1,7 +1,6 @@
 #include "ew/stitching/equalise_views.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 

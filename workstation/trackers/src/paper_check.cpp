@@ -1,10 +1,8 @@
 #include "paper_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
-#include <span>
 
 #include "ew/core/figures.h"
 

@@ -1,7 +1,6 @@
 #include "ew/tracking/calibration_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "ew/core/output_set.h"
 #include "ew/widgets/words.h"
 #include "save_place.h"
 

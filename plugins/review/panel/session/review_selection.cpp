@@ -1,7 +1,6 @@
 #include "panel/session/review_selection.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "panel/session/review_scan.h"
 

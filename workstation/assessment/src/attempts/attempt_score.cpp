@@ -1,7 +1,6 @@
 #include "ew/assessment/attempt_score.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "attempts/series_files.h"
 #include "ew/core/data_file.h"

@@ -1,8 +1,5 @@
 #include "ew/assessment/scannable_region.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "ew/assessment/random_numbers.h"
 
 namespace ew {

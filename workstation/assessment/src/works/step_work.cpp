@@ -1,7 +1,6 @@
 #include "ew/assessment/step_work.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ew/core/contract.h"
 #include "ew/core/numbers.h"

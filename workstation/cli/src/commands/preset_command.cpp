@@ -9,7 +9,6 @@
 namespace ew::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 struct PresetArguments {

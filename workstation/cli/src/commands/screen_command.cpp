@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "ew/acquisition/screen_recording.h"
 #include "ew/core/numbers.h"

@@ -1,6 +1,5 @@
 #include "ew/cli/window_arguments.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "run/arguments.h"

@@ -1,6 +1,5 @@
 #include "ew/imaging/m_mode.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "ew/imaging/effects/stretch.h"

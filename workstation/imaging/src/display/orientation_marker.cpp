@@ -1,7 +1,6 @@
 #include "ew/imaging/orientation_marker.h"
 
 #include <algorithm>
-#include <cmath>
 namespace ew {
 namespace {
 

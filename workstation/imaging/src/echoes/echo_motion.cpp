@@ -1,6 +1,5 @@
 #include "echo_motion.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,13 +1,9 @@
 #include "echo_surfaces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <utility>
-
-#include "scatterers.h"
 
 namespace ew::detail {
 namespace {

@@ -1,7 +1,6 @@
 #include "ew/imaging/effects/gain.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "effects/faint_level.h"
 #include "effects/monotone_curve.h"

@@ -1,6 +1,5 @@
 #include "ew/imaging/effects/noise.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "effects/grey_scale.h"

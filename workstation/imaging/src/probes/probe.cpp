@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <optional>
 #include <string_view>
 
 #include "ew/core/contract.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
-#include <string>
 
 #include "bricks.h"
 #include "ew/core/contract.h"

@@ -1,7 +1,6 @@
 #include "row_sampler.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bricks.h"
 

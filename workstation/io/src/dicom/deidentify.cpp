@@ -1,7 +1,6 @@
 #include "ew/io/deidentify.h"
 
 #include <algorithm>
-#include <array>
 
 #include "ew/core/numbers.h"
 

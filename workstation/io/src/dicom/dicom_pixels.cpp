@@ -1,7 +1,6 @@
 #include "dicom/dicom_pixels.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <new>
 
 #include "dicom/dicom_fields.h"

@@ -1,7 +1,6 @@
 #include "files/image_header.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>

@@ -3,7 +3,6 @@
 #include <png.h>
 
 #include <new>
-#include <vector>
 
 #include "ew/core/contract.h"
 #include "ew/io/safe_file.h"

@@ -2,7 +2,6 @@
 
 #include <png.h>
 
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <string_view>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <ostream>
 
 #include "ew/core/numbers.h"

@@ -11,8 +11,6 @@
 namespace ew {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double kMostTip_rad = 35.0 * std::numbers::pi / 180.0;
 constexpr double kPick_mm = 5.0;  // how well a person finds a place on skin and in a volume
 constexpr const char* kDepthField = "depth_direction";

@@ -1,6 +1,5 @@
 #include "ew/library/edit_autosave.h"
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 

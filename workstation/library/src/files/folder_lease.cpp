@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,6 @@
 #include "index/index_entry.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "case/manifest.h"

@@ -1,8 +1,6 @@
 #include "ew/library/publishing.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 #include "case/manifest.h"
 #include "ew/core/figures.h"
@@ -18,7 +16,6 @@
 namespace ew {
 namespace {
 
-namespace fs = std::filesystem;
 using State = CheckItem::State;
 
 /// A list in the making.

@@ -12,8 +12,6 @@
 namespace ew {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// The grid of a case as it is placed; of a recipe, two voxels along each edge of its box.
 std::optional<Grid> placedGridOf(const Case& opened) {
   Grid grid;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 #include "ew/core/parallel.h"
 #include "ew/phantom/speckle.h"

@@ -1,7 +1,5 @@
 #include "patient/grown_recipe.h"
 
-#include <array>
-
 #include "ew/core/numbers.h"
 #include "shapes/uneven_shapes.h"
 #include "shapes/vessel_tree.h"

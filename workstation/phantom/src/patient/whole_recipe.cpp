@@ -1,7 +1,6 @@
 #include "patient/whole_recipe.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <set>

@@ -1,6 +1,5 @@
 #include "scanner/tracker_errors.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>

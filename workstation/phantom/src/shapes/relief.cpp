@@ -1,6 +1,5 @@
 // Ridges and furrows along lines on a surface: ribs, lips, a navel.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ew/core/contract.h"

@@ -1,6 +1,5 @@
 #include "shapes/shape.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "ew/registration/deformation.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

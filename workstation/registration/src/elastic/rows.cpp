@@ -1,7 +1,6 @@
 #include "elastic/rows.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 

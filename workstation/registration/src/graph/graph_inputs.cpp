@@ -1,7 +1,6 @@
 #include "graph/graph_inputs.h"
 
 #include <cmath>
-#include <string>
 
 #include "ew/core/frames.h"
 #include "graph/covariance.h"

@@ -1,7 +1,6 @@
 #include "graph/joints.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "graph/pose_residual.h"

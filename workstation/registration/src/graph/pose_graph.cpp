@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "ew/core/elapsed.h"
 #include "ew/core/order_statistics.h"

@@ -2,13 +2,10 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "comparable.h"
 #include "elastic/lattice.h"

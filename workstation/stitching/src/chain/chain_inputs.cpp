@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "ew/acquisition/sweep_volume.h"
 #include "ew/core/message_json.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/io/safe_file.h"

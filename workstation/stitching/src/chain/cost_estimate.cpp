@@ -10,8 +10,6 @@
 namespace ew::stitching {
 namespace {
 
-using registration::ElasticEffort;
-
 /// The measurement: 96 voxels of 0.6 mm a side.
 constexpr double kVoxel_mm = 0.6;
 constexpr double kSide_mm = 96 * kVoxel_mm;

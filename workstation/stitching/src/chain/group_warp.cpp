@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <span>
 
 #include "ew/core/order_statistics.h"
 #include "ew/core/parallel.h"

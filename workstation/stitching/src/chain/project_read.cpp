@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "chain/project_words.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
@@ -15,27 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::array kPlacements = {Placement::unknown, Placement::tracker, Placement::hand};
-constexpr std::array kMethods = {PairMethod::automatic, PairMethod::search, PairMethod::refine, PairMethod::landmarks, PairMethod::byHand};
-constexpr std::array kDecisions = {Decision::undecided, Decision::accepted, Decision::rejected};
-constexpr std::array kEfforts = {registration::ElasticEffort::fast, registration::ElasticEffort::balanced,
-                                 registration::ElasticEffort::accurate};
-constexpr std::array kSeamMethods = {SeamMethod::feather, SeamMethod::nearest, SeamMethod::graphCut};
-constexpr std::array kAxes = {GridAxes::first, GridAxes::world};
 constexpr double kFar_mm = 1e6;
 constexpr std::size_t kMostLandmarks = 100000, kMostStrokes = 1000000;
 
 constexpr std::size_t kLongestPath = 4096;
 
 Message turn() { return say<"a number from 0 to 180, in degrees">(); }
-
-/// One of the words that nameOf gives for `known`.
-template <class Word, std::size_t n>
-Word wordOf(const JsonFields& entry, const char* key, const std::array<Word, n>& known, Word fallback) {
-  std::array<std::pair<std::string_view, Word>, n> words;
-  for (std::size_t i = 0; i < n; ++i) words[i] = {nameOf(known[i]), known[i]};
-  return entry.word(key, words, std::optional(fallback));
-}
 
 /// A rigid matrix: 16 numbers, or a file of them.
 template <class To, class From>
@@ -69,7 +55,7 @@ ProjectVolume volumeOf(const JsonFields& entry, int format, const fs::path& fold
   volume.spacing_mm =
       entry.number("spacing_mm", 0.0, 100.0, volume.spacing_mm, say<"a number up to 100, in mm, or 0 to choose it from the sweep">());
   volume.acceptsSmall = entry.flag("accept_small", volume.acceptsSmall);
-  volume.placement = wordOf(entry, "placement", kPlacements, Placement::tracker);
+  volume.placement = entry.word("placement", kPlacementWords, std::optional(Placement::tracker));
   if (const auto pose = poseOf<frame::World, frame::View>(entry, "to_world", folder)) volume.toWorld = *pose;
   return volume;
 }
@@ -103,8 +89,8 @@ ProjectPair pairOf(const JsonFields& entry, const std::vector<ProjectVolume>& vo
   pair.fixed = indexOf(entry, "fixed", volumes);
   pair.moving = indexOf(entry, "moving", volumes);
   if (pair.fixed == pair.moving) entry.refuse("moving", say<"another volume than fixed">());
-  pair.method = wordOf(entry, "method", kMethods, pair.method);
-  pair.decision = wordOf(entry, "decision", kDecisions, pair.decision);
+  pair.method = entry.word("method", kPairMethodWords, std::optional(pair.method));
+  pair.decision = entry.word("decision", kDecisionWords, std::optional(pair.decision));
   pair.start = poseOf<frame::Moving, frame::Fixed>(entry, "start", folder);
   for (const JsonFields& each : entry.objects("landmarks", 0, kMostLandmarks, say<"a list of objects with fixed_mm and moving_mm">())) {
     each.only({"name", "fixed_mm", "moving_mm"});
@@ -115,7 +101,7 @@ ProjectPair pairOf(const JsonFields& entry, const std::vector<ProjectVolume>& vo
     pair.landmarks.push_back(std::move(landmark));
   }
   if (entry.has("max_turn_deg")) pair.maxRotation_deg = entry.number("max_turn_deg", 0.0, 180.0, {}, turn());
-  if (entry.has("effort")) pair.effort = wordOf(entry, "effort", kEfforts, registration::ElasticEffort::balanced);
+  if (entry.has("effort")) pair.effort = entry.word("effort", kElasticEffortWords, std::optional(registration::ElasticEffort::balanced));
   if (pair.fixed > pair.moving) {
     std::swap(pair.fixed, pair.moving);
     if (pair.start) pair.start = withRolesSwapped(*pair.start);
@@ -152,7 +138,7 @@ void settingsOf(const JsonFields& f, ProjectSettings& settings) {
              say<"above 0, or 0 together with the other one when recorded places are exact">());
   settings.equalise = f.flag("equalise", settings.equalise);
   settings.elastic = f.flag("elastic", settings.elastic);
-  settings.effort = wordOf(f, "effort", kEfforts, settings.effort);
+  settings.effort = f.word("effort", kElasticEffortWords, std::optional(settings.effort));
   settings.fallOff_mm = f.number("fall_off_mm", 1.0, 1000.0, settings.fallOff_mm, say<"a number from 1 to 1000, in mm">());
 }
 
@@ -163,12 +149,12 @@ void gridOf(const JsonFields& f, StitchOptions& grid) {
   const Message share = say<"above 0 and at most 1">();
   grid.interpolatedWeight = f.number("interpolated_weight", 0.0, 1.0, grid.interpolatedWeight, share);
   if (grid.interpolatedWeight == 0.0) f.refuse("interpolated_weight", share);
-  grid.axes = wordOf(f, "axes", kAxes, grid.axes);
+  grid.axes = f.word("axes", kGridAxesWords, std::optional(grid.axes));
 }
 
 void seamOf(const JsonFields& f, const std::vector<ProjectVolume>& volumes, SeamOptions& seam) {
   f.only({"method", "cell_mm", "blend_mm", "confidence_weight", "distance_weight", "strokes"});
-  seam.method = wordOf(f, "method", kSeamMethods, seam.method);
+  seam.method = f.word("method", kSeamMethodWords, std::optional(seam.method));
   seam.cell_mm = f.number("cell_mm", 0.1, 100.0, seam.cell_mm, say<"a number from 0.1 to 100, in mm">());
   seam.blend_mm = f.number("blend_mm", 0.0, 100.0, seam.blend_mm, say<"a number from 0 to 100, in mm">());
   seam.confidenceWeight = f.number("confidence_weight", 0.0, 1000.0, seam.confidenceWeight);

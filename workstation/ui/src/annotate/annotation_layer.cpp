@@ -11,7 +11,6 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "annotate/annotation_paint.h"

@@ -5,7 +5,6 @@
 #include <QSettings>
 #include <QSvgRenderer>
 #include <algorithm>
-#include <cmath>
 
 #include "ew/imaging/probe.h"
 #include "ew/widgets/theme.h"

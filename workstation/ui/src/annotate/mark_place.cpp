@@ -1,6 +1,5 @@
 #include "annotate/mark_place.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 

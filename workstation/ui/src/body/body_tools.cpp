@@ -5,7 +5,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <array>
-#include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <utility>
 

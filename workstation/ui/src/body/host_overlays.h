@@ -11,10 +11,6 @@
 
 class QPainter;
 
-namespace ew {
-struct Theme;
-}
-
 namespace ew::ui {
 
 /// What plugins draw over the views, and how it is painted: on the scan in the colours that are read against black, over the body in those

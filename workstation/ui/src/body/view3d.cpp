@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "body/body_canvas.h"
 #include "ew/core/contract.h"

@@ -15,7 +15,6 @@
 
 #include "case/case_images.h"
 #include "ew/library/case.h"
-#include "ew/library/case_words.h"
 #include "ew/widgets/icons.h"
 #include "ew/widgets/look.h"
 #include "ew/widgets/theme.h"

@@ -5,7 +5,6 @@
 
 class QLabel;
 class QProgressBar;
-class QPushButton;
 
 namespace ew::ui {
 

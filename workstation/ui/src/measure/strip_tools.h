@@ -2,7 +2,6 @@
 
 #include <QWidget>
 
-class QLabel;
 class QSpinBox;
 
 namespace ew::ui {

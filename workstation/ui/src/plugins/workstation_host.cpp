@@ -7,9 +7,7 @@
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <map>
 #include <utility>
-#include <vector>
 
 #include <spdlog/spdlog.h>
 

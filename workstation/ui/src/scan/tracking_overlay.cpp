@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
-#include <cmath>
 
 #include "ew/widgets/icons.h"
 #include "ew/widgets/theme.h"

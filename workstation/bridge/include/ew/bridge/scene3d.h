@@ -16,7 +16,6 @@
 #include "ew/tracking/hand.h"
 
 class vtkRenderWindow;
-class vtkRenderer;
 
 namespace ew::bridge {
 

@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "bench/images/bench_echoes.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <utility>

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "bench/teaching/bench_teaching.h"
 #include "bench/tools/bench_parts.h"

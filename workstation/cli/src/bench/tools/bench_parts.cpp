@@ -8,9 +8,7 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <random>
 

@@ -1,7 +1,6 @@
 #include "measure/words/finding_words.h"
 
 #include <QStringList>
-#include <cmath>
 
 #include "ew/widgets/figures.h"
 #include "ew/widgets/words.h"

@@ -10,7 +10,6 @@ class QLineEdit;
 class QMenu;
 class QPushButton;
 class QTextBrowser;
-class QVBoxLayout;
 
 namespace ew::ui {
 

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "ew/core/ending.h"
 #include "ew/io/safe_file.h"

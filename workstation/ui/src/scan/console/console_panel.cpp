@@ -18,7 +18,6 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
-#include <cmath>
 
 #include "ew/widgets/double_click.h"
 #include "ew/widgets/figures.h"

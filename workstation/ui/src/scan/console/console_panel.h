@@ -24,10 +24,6 @@ struct EffectOption;
 struct EffectStrength;
 }  // namespace ew
 
-namespace ew {
-class FigureLabel;
-}
-
 namespace ew::ui {
 
 class KeyTips;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "ew/core/chart_axis.h"
-#include "ew/imaging/cost_of_accuracy.h"
 #include "ew/widgets/chart_card.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/theme.h"

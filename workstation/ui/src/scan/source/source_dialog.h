@@ -8,7 +8,6 @@
 #include "ew/library/voxel_source.h"
 #include "jobs/jobs.h"
 
-class QFormLayout;
 class QLabel;
 class QPushButton;
 

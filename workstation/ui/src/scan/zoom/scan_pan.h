@@ -3,8 +3,6 @@
 #include <QObject>
 #include <QPointF>
 
-class QMouseEvent;
-
 namespace ew::ui {
 
 class ScanView;

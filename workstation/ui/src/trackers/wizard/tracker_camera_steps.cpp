@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <cmath>
-#include <numeric>
 
 #include "ew/widgets/figures.h"
 #include "ew/widgets/words.h"

@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QVBoxLayout;
 
 namespace ew::ui {
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <utility>
-#include <vector>
 
 #include "ew/core/ending.h"
 #include "ew/export/dicom_study.h"

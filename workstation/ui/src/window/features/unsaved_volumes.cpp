@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 #include "ew/core/progress.h"
 #include "ew/core/volume.h"
