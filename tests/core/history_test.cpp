@@ -94,5 +94,19 @@ TEST(History, NamesItsStepsAndMergesThoseOfOneKey) {
   EXPECT_FALSE(states.wasEver([](int value) { return value == 5; }));
 }
 
+TEST(History, ForgetsAStepThatWasGivenBack) {
+  History<int> states(0);
+  states.step(1, "name", {});
+  const auto before = states.kept();
+  states.step(2, "move", "drag");
+  states.step(1, "move", "drag");
+  ASSERT_EQ(*states.beforeMerging("drag"), states.now());
+  states.forgetStep();
+  EXPECT_EQ(states.kept(), before) << "the state itself, not one that is equal";
+  EXPECT_EQ(states.undoName(), "name");
+  EXPECT_FALSE(states.canRedo());
+  EXPECT_EQ(states.beforeMerging("drag"), nullptr);
+}
+
 }  // namespace
 }  // namespace ew::history_test

@@ -237,12 +237,12 @@ class Program {
   }
   void undoTitle() {
     if (now_ == 0) return;
-    document_.history().undo();
+    document_.undo();
     --now_;
   }
   void redoTitle() {
     if (static_cast<std::size_t>(now_) + 1 >= titles_.size()) return;
-    document_.history().redo();
+    document_.redo();
     ++now_;
   }
   void save() {

@@ -323,9 +323,9 @@ class AuthoringTest : public WindowFixture {
     QCOMPARE(rightsOf(*document().current()).licence, std::string("CC0 1.0"));
     QVERIFY(document().save().has_value());
     QVERIFY(validateCaseAside(document().current()->folder).empty());
-    document().history().undo();
+    document().undo();
     QVERIFY(waitUntil([this] { return !session().subject() && window_->isSettled(); }));
-    document().history().redo();
+    document().redo();
     QVERIFY(waitUntil([this] { return session().subject() && window_->isSettled(); }));
     keepScreenshot(*window_, "volume-given");
   }

@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<void> editTitle(CaseDocument& document, const std::string& title) {
+Result<void> editTitle(CaseDocument& document, const std::string& title, const std::string& mergeKey = {}) {
   Case changed = *document.current();
   changed.title = title;
-  return document.edit(changed, "Change the title", {});
+  return document.edit(changed, "Change the title", mergeKey);
 }
 
 bool openIn(CaseDocument& document, const fs::path& folder) {
@@ -75,6 +75,34 @@ class CaseDocumentTest : public QObject {
     QVERIFY(!FolderLease::holderOf(folder()));
     QVERIFY(editTitle(edits, "Edited").has_value());
     QVERIFY(FolderLease::holderOf(folder()).has_value());
+  }
+
+  void editsOfOneKeyAreOneStepUntilItIsSavedAndOneThatIsGivenBackIsNone() {
+    CaseDocument document;
+    QVERIFY(openIn(document, folder()));
+    const std::string first = document.current()->title;
+    for (const char* title : {"S", "Se", "Second"}) QVERIFY(editTitle(document, title, "title").has_value());
+    QCOMPARE(document.history().steps(), std::size_t{1});
+    QCOMPARE(document.history().undoName(), std::string("Change the title"));
+    QVERIFY(document.hasUnsavedChanges() && document.save().has_value());
+    QVERIFY(!document.hasUnsavedChanges());
+    QVERIFY(editTitle(document, "Third", "title").has_value());
+    QCOMPARE(document.history().steps(), std::size_t{2});
+    QVERIFY(editTitle(document, "Second", "title").has_value());
+    QCOMPARE(document.history().steps(), std::size_t{1});
+    QVERIFY(!document.hasUnsavedChanges() && !document.history().canRedo());
+    document.undo();
+    QCOMPARE(document.current()->title, first);
+    QVERIFY(document.hasUnsavedChanges());
+    document.redo();
+    QVERIFY(!document.hasUnsavedChanges());
+    document.undo();
+    QVERIFY(editTitle(document, "Fourth").has_value());
+    document.undo();
+    QVERIFY(document.hasUnsavedChanges());  // what was saved is no longer among the steps
+    document.forgetSteps();
+    QVERIFY(!document.hasUnsavedChanges() && !document.history().canUndo() && !document.history().canRedo());
+    QCOMPARE(document.current()->title, first);
   }
 
   void whoComesSecondIsToldWhoEditsAndSinceWhen() {

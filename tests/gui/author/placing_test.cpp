@@ -72,7 +72,7 @@ class PlacingTest : public WindowFixture {
   [[nodiscard]] glm::dvec3 onArrow(int axis, double share) const {
     return carried(handles().toWorld, share * handles().reach_mm * glm::dvec3(axis == 0, axis == 1, axis == 2));
   }
-  [[nodiscard]] int steps() const { return document().history().index(); }
+  [[nodiscard]] int steps() const { return static_cast<int>(document().history().steps()); }
 
   void moveTo(const QPoint& at, Qt::MouseButtons held, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QMouseEvent move(QEvent::MouseMove, at, canvas().mapToGlobal(at), Qt::NoButton, held, modifiers);
@@ -166,7 +166,7 @@ class PlacingTest : public WindowFixture {
     QVERIFY(std::abs(in<QDoubleSpinBox>("placement_x").value() - place().matrix[3].x) < 1e-3);
     QVERIFY2(waitUntil([&] { return pixelsOf(session()) != pixels; }), "the scan follows");
     QVERIFY(glm::distance(glm::dvec3(handles().toWorld.matrix[3]), middleOf(session().subject()->placedGrid)) < 1e-6);
-    document().history().undo();
+    document().undo();
     QCOMPARE(largestDifference(place().matrix, before.matrix), 0.0);
     QVERIFY(glm::distance(glm::dvec3(handles().toWorld.matrix[3]), middleOf(session().subject()->placedGrid)) < 1e-6);
     QVERIFY(waitUntil([&] { return pixelsOf(session()) == pixels; }));
@@ -192,7 +192,7 @@ class PlacingTest : public WindowFixture {
     const Grid own = session().subject()->voxels.grid();
     QVERIFY(glm::distance(middleOf(session().subject()->placedGrid),
                           carried(before, middleOf(placed(own, FilePlace{inverse(before).matrix})))) < 1e-6);
-    document().history().undo();
+    document().undo();
 
     drag(pixelOf(onArrow(0, 0.7)), pixelOf(onArrow(0, 0.7)) + QPoint(40, 0), Qt::NoModifier, false);
     QVERIFY(largestDifference(place().matrix, before.matrix) > 3.0);
@@ -258,7 +258,7 @@ class PlacingTest : public WindowFixture {
     QVERIFY(sweepAxesOf(*document().current()).has_value());
     waitForContact();
     QVERIFY2(in<QProgressBar>("contactShare").value() < usual, "another face is not on the skin");
-    while (document().history().canUndo()) document().history().undo();
+    while (document().history().canUndo()) document().undo();
     QCOMPARE(place().matrix[3].z, -60.0);
     QCOMPARE(in<QDoubleSpinBox>("placement_z").value(), -60.0);
   }

@@ -171,7 +171,7 @@ class TargetsTest : public WindowFixture {
     in<QCheckBox>("targetReveals").click();
     QVERIFY(target(0).revealsFinding);
     keepScreenshot(*window_, "targets-02-point");
-    while (window_->document().history().canUndo()) window_->document().history().undo();
+    while (window_->document().history().canUndo()) window_->document().undo();
     QVERIFY(opened().targets.empty());
     QVERIFY(in<QLabel>("targetsEmpty").isVisible());
   }
@@ -193,7 +193,7 @@ class TargetsTest : public WindowFixture {
     session().makeImageNow();
     press("planeTake");
     QVERIFY(glm::distance(glm::dvec3(target(0).probeToFile->matrix[3]), glm::dvec3(taken.matrix[3])) > 10.0);
-    window_->document().history().undo();
+    window_->document().undo();
     QVERIFY(glm::distance(glm::dvec3(target(0).probeToFile->matrix[3]), glm::dvec3(taken.matrix[3])) < 1e-9);
   }
 
@@ -215,9 +215,9 @@ class TargetsTest : public WindowFixture {
     const std::string kept = opened().volume.labels;
     const double kept_ml = ml(1);
     QVERIFY(std::abs(kept_ml - ball_ml) < 0.15 * ball_ml);
-    window_->document().history().undo();
+    window_->document().undo();
     QVERIFY(waitUntil([this] { return window_->isSettled() && ml(1) == 0.0; }));
-    window_->document().history().redo();
+    window_->document().redo();
     QVERIFY(waitUntil([&] { return window_->isSettled() && ml(1) == kept_ml; }));
     QVERIFY(window_->document().save());
 
@@ -304,7 +304,7 @@ class TargetsTest : public WindowFixture {
     press("removeTarget");
     QVERIFY(waitUntil([this] { return window_->isSettled() && opened().targets.empty() && ml(1) == 0.0; }));
     QVERIFY2(meanEcho(-3.0, 3.0, 62.0, 90.0) > 0.9 * before, "a stone that was removed throws no shadow");
-    window_->document().history().undo();
+    window_->document().undo();
     QVERIFY(waitUntil([this] { return window_->isSettled() && ml(1) > 0.0; }));
     QVERIFY(meanEcho(-3.0, 3.0, 62.0, 90.0) < 0.5 * before);
     QVERIFY(window_->document().save());

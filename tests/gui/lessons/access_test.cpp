@@ -8,7 +8,6 @@
 #include <QLineEdit>
 #include <QMimeData>
 #include <QTimer>
-#include <QUndoStack>
 #include <QUrl>
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QUndoStack>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -147,15 +146,15 @@ class GuidedSweepTest final : public testing::WindowFixture {
     keepSweep();
     QVERIFY(section().contains("start") && section().contains("end"));
     QCOMPARE(section()["duration_s"].get<double>(), 1.0);
-    QUndoStack& history = window_->document().history();
-    QCOMPARE(history.count(), 3);
-    QCOMPARE(history.undoText(), QStringLiteral("Duration of the sweep"));
-    history.undo();
-    history.undo();
+    CaseDocument& document = window_->document();
+    QCOMPARE(document.history().steps(), std::size_t{3});
+    QCOMPARE(document.history().undoName(), std::string("Duration of the sweep"));
+    document.undo();
+    document.undo();
     QVERIFY(section().contains("start") && !section().contains("end"));
     QCOMPARE(find<QLabel>("guideState")->text(), QStringLiteral("The sweep has no end yet."));
-    history.redo();
-    history.redo();
+    document.redo();
+    document.redo();
     const nlohmann::json kept = section();
     QVERIFY(window_->document().save().has_value());
 
@@ -200,7 +199,7 @@ class GuidedSweepTest final : public testing::WindowFixture {
     waitForImage();
     QVERIFY(isRingDrawnAbout({0.0, 60.0}));
     QVERIFY(isLabelled({0.0, 60.0}));
-    window_->document().history().undo();
+    window_->document().undo();
     QVERIFY(!isRingDrawnAbout({0.0, 60.0}));
   }
 
@@ -280,8 +279,8 @@ class GuidedSweepTest final : public testing::WindowFixture {
     showGuide();
     QCOMPARE(find<QPushButton>("guideStart")->text(), QStringLiteral("Anfang hier"));
     press("guideStart");
-    QCOMPARE(window_->document().history().undoText(), QStringLiteral("Anfang des Schwenks"));
-    window_->document().history().undo();
+    QCOMPARE(window_->document().history().undoName(), std::string("Anfang des Schwenks"));
+    window_->document().undo();
     QCOMPARE(words(say<"Nothing is scanned; open a case first.">()), QStringLiteral("Es wird nichts geschallt; zuerst einen Fall öffnen."));
     const auto schema = PartSchema::of(R"({"description": "a number from 1 to 60", "maximum": 60})", verbatim("the plugin's own"));
     QVERIFY(schema.has_value());

@@ -140,7 +140,7 @@ class LessonEditorTest : public WindowFixture {
       if (taskWord(step.task) == kind) return step;
     return {};
   }
-  void undo() { window_->document().history().undo(); }
+  void undo() { window_->document().undo(); }
 
   /// Moves the probe along the skin while images are made.
   void scan(int images) {
@@ -352,7 +352,7 @@ class LessonEditorTest : public WindowFixture {
     QVERIFY(QFile::exists(part + QString::fromStdString(before)));
     undo();
     QCOMPARE(std::get<WatchTask>(stepOf("watch").task).recording, before);
-    window_->document().history().redo();
+    window_->document().redo();
     QVERIFY(window_->document().save());
     QCOMPARE(unusedLessonFiles(*window_->document().current()), std::vector<std::string>{before});
     press("backToSteps");

@@ -374,7 +374,7 @@ class TraineeTest : public WindowFixture {
     QVERIFY(window_->document().edit(changed, "Change the history", "history").has_value());
     const QString remark = find<QLabel>("titleRemark")->text();
     QVERIFY2(remark.contains(QLatin1String("Test Person")) && remark.contains(QLatin1String("unsaved")), qPrintable(remark));
-    window_->document().history().undo();
+    window_->document().undo();
     QCOMPARE(find<QLabel>("titleRemark")->text(), QStringLiteral("Test Person"));
   }
 

@@ -9,7 +9,6 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QUndoStack>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -332,7 +331,7 @@ class StoringTest : public WindowFixture {
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
     QCOMPARE(window_->calipers().findings().all().size(), std::size_t{1});
     QVERIFY(*window_->worksheets().current() == sheet);
-    window_->document().history().undo();
+    window_->document().undo();
     QVERIFY(waitUntil([&] { return window_->isSettled(); }, 4.0 * test::kPatience_ms));
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
     QVERIFY2(answers.asked.isEmpty(), "nothing was lost, so nothing is asked");
@@ -363,13 +362,13 @@ class StoringTest : public WindowFixture {
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
     {
       Answers nobody({});
-      window_->document().history().undo();  // the volume is that of the case again
+      window_->document().undo();  // the volume is that of the case again
       settles();
       QVERIFY(nobody.asked.isEmpty());
     }
     QCOMPARE(in<QListWidget>(dialog(), "storedImages")->count(), 1);
     Answers discard({{QStringLiteral("unsavedStoredQuestion"), press(QMessageBox::Discard)}});
-    window_->document().history().redo();
+    window_->document().redo();
     settles();
     QCOMPARE(discard.asked, QStringList{QStringLiteral("unsavedStoredQuestion")});
     QVERIFY(session().subject()->voxels.volume() != shown);

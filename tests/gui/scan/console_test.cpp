@@ -419,9 +419,9 @@ class ConsoleTest : public ConsoleFixture {
     noise->click();
     QVERIFY(window_->document().current()->scene.noise.has_value());
     QVERIFY(scene().noise.has_value());
-    window_->document().history().undo();
+    window_->document().undo();
     QVERIFY(!noise->isChecked() && !scene().noise && !window_->document().hasUnsavedChanges());
-    window_->document().history().redo();
+    window_->document().redo();
     QVERIFY(noise->isChecked());
     QVERIFY(window_->document().save().has_value());
     const auto reopened = loadCaseAside(window_->document().current()->folder);

@@ -405,9 +405,9 @@ class UnsavedTest : public WindowFixture {
       QVERIFY(shows(QStringLiteral("typed before the crash")));
       QVERIFY(document().hasUnsavedChanges());
       QVERIFY(!isLeft());
-      document().history().undo();
+      document().undo();
       QCOMPARE(openTitle(), QStringLiteral("first"));
-      document().history().redo();
+      document().redo();
       QVERIFY(document().save().has_value());
     }
     leave("never meant");
@@ -522,7 +522,7 @@ class UnsavedTest : public WindowFixture {
     changed.volume.fileToWorld.matrix[3][0] = 4.0;
     QVERIFY(document().edit(changed, "Move the volume", "x").has_value());
     QCOMPARE(session().subject()->placedGrid.origin_mm.x, -36.0);
-    while (document().history().canUndo()) document().history().undo();
+    while (document().history().canUndo()) document().undo();
     QVERIFY(waitUntil([&] { return session().subject() && session().subject()->voxels.volume()->echo == before->echo; }, kPatience_ms));
     QVERIFY(waitForRest());
     QVERIFY(shows(QStringLiteral("first")));

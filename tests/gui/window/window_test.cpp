@@ -211,7 +211,7 @@ class WindowTest : public WindowFixture {
       QVERIFY(glm::distance(saved->volume.grid.origin_mm, expected_mm) < 1e-6);
       QVERIFY(saved->volume.echo == session().subject()->voxels.volume()->echo);
     }
-    document.history().undo();
+    document.undo();
   }
 
   void freezeHoldsTheImageWhileTheHandMovesAndRefusesTheKnobs() {
@@ -249,11 +249,11 @@ class WindowTest : public WindowFixture {
     QTest::keyClicks(title, QStringLiteral("Edited title"));
     QCOMPARE(QString::fromStdString(document.current()->title), QStringLiteral("Edited title"));
     QVERIFY(document.hasUnsavedChanges());
-    while (document.history().canUndo()) document.history().undo();
+    while (document.history().canUndo()) document.undo();
     QCOMPARE(QString::fromStdString(document.current()->title), QStringLiteral("Window test"));
     QCOMPARE(title->text(), QStringLiteral("Window test"));
     QVERIFY(!document.hasUnsavedChanges());
-    while (document.history().canRedo()) document.history().redo();
+    while (document.history().canRedo()) document.redo();
     const auto saved = document.save();
     QVERIFY2(saved, saved ? "" : saved.error().sentence().c_str());
     QVERIFY(!document.hasUnsavedChanges());
@@ -272,9 +272,9 @@ class WindowTest : public WindowFixture {
       const auto edited = document.edit(changed, "Move the volume", "place");
       QVERIFY2(edited, edited ? "" : edited.error().sentence().c_str());
     }
-    QCOMPARE(document.history().count(), 1);
+    QCOMPARE(document.history().steps(), std::size_t{1});
     QVERIFY(waitUntil([&] { return pixelsOf(session()) != before; }));
-    document.history().undo();
+    document.undo();
     QVERIFY(waitUntil([&] { return pixelsOf(session()) == before; }));
     Case mirrored = *document.current();
     mirrored.volume.fileToWorld.matrix[0][0] = -1.0;
@@ -297,12 +297,12 @@ class WindowTest : public WindowFixture {
     const auto place = [&document] { return document.current()->volume.fileToWorld; };
     for (const auto& [name, value] : {std::pair{"placement_x", 3.0}, {"placement_x", 30.0}, {"placement_z", 7.0}, {"placement_rx", 20.0}})
       panel->findChild<QDoubleSpinBox*>(QLatin1String(name))->setValue(value);
-    QCOMPARE(document.history().count(), 3);
-    document.history().undo();
+    QCOMPARE(document.history().steps(), std::size_t{3});
+    document.undo();
     QCOMPARE(place().matrix[3].x, 30.0);
     QCOMPARE(place().matrix[3].z, 7.0);
     QCOMPARE(place().matrix[1].z, 0.0);
-    document.history().undo();
+    document.undo();
     QCOMPARE(place().matrix[3].z, 0.0);
     QCOMPARE(place().matrix[3].x, 30.0);
   }

@@ -1,46 +1,17 @@
 #include "case/case_document.h"
 
-#include <QCoreApplication>
-#include <QUndoCommand>
 #include <chrono>
 
 #include "ew/library/published.h"
-#include "ew/widgets/words.h"
 
 namespace ew::ui {
 namespace {
 
-/// QUndoStack merges neighbours of the same id and asks the command whether it agrees; the id only says that both replace a case.
-constexpr int kReplaceCaseId = 1;
 constexpr std::chrono::seconds kRefreshEvery{30};
 
 }  // namespace
 
-class ReplaceCase final : public QUndoCommand {
- public:
-  ReplaceCase(CaseDocument& document, Case before, Case after, const QString& what, std::string mergeKey)
-      : QUndoCommand(what), document_(document), before_(std::move(before)), after_(std::move(after)), mergeKey_(std::move(mergeKey)) {}
-
-  void undo() override { document_.replace(before_); }
-  void redo() override { document_.replace(after_); }
-  [[nodiscard]] int id() const override { return mergeKey_.empty() ? -1 : kReplaceCaseId; }
-  bool mergeWith(const QUndoCommand* next) override {
-    const auto* other = static_cast<const ReplaceCase*>(next);
-    if (other->mergeKey_ != mergeKey_) return false;
-    after_ = other->after_;
-    setText(other->text());
-    setObsolete(after_ == before_);  // a drag that was given back is no step
-    return true;
-  }
-
- private:
-  CaseDocument& document_;
-  Case before_, after_;
-  std::string mergeKey_;
-};
-
 CaseDocument::CaseDocument(QObject* parent) : QObject(parent) {
-  connect(&history_, &QUndoStack::cleanChanged, this, &CaseDocument::changed);
   refreshing_.setInterval(kRefreshEvery);
   connect(&refreshing_, &QTimer::timeout, this, &CaseDocument::refreshLease);
 }
@@ -81,9 +52,8 @@ void CaseDocument::open(Case opened, std::optional<Fingerprint> asRead) {
   asRead_ = asRead;
   isShipped_ = isShipped(current_->folder);
   isPublished_ = isPublished(current_->folder);
-  history_.clear();
-  history_.setClean();
-  Q_EMIT changed();
+  begin(*current_);
+  tell();
   Q_EMIT this->opened();
 }
 
@@ -91,8 +61,8 @@ void CaseDocument::close() {
   const bool wasOpen = current_.has_value();
   release();
   current_.reset();
-  history_.clear();
-  Q_EMIT changed();
+  begin({});
+  tell();
   if (wasOpen) Q_EMIT closed();
 }
 
@@ -110,8 +80,30 @@ Result<void> CaseDocument::edit(Case next, const std::string& what, const std::s
   // What was edited before the folder was lost may be finished, to be saved elsewhere.
   if (!lost_)
     if (auto reserved = reserve(); !reserved) return reserved;
-  history_.push(new ReplaceCase(*this, *current_, std::move(next), words(what), mergeKey));
+  current_ = next;
+  if (const Case* before = history_.beforeMerging(mergeKey); before != nullptr && *before == next)
+    history_.forgetStep();  // a drag that was given back is no step
+  else
+    history_.step(std::move(next), what, mergeKey);
+  tell();
   return {};
+}
+
+void CaseDocument::undo() {
+  if (!history_.undo()) return;
+  current_ = history_.now();
+  tell();
+}
+
+void CaseDocument::redo() {
+  if (!history_.redo()) return;
+  current_ = history_.now();
+  tell();
+}
+
+void CaseDocument::forgetSteps() {
+  begin(history_.now());
+  tell();
 }
 
 bool CaseDocument::isChangedOnDisk() const {
@@ -154,14 +146,20 @@ Result<void> CaseDocument::save(const std::filesystem::path& folder, const CaseO
     return {};
   }
   if (asRead) asRead_ = *asRead;
-  history_.setClean();
+  history_.endMerging();
+  saved_ = history_.kept();
   Q_EMIT changed();
   return {};
 }
 
-void CaseDocument::replace(const Case& next) {
-  current_ = next;
+void CaseDocument::begin(Case first) {
+  history_ = History<Case>(std::move(first));
+  saved_ = history_.kept();
+}
+
+void CaseDocument::tell() {
   Q_EMIT changed();
+  Q_EMIT stepped();
 }
 
 }  // namespace ew::ui

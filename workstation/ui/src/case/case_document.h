@@ -2,11 +2,10 @@
 
 #include <QObject>
 #include <QTimer>
-#include <QUndoStack>
-#include <functional>
 #include <memory>
 #include <optional>
 
+#include "ew/core/history.h"
 #include "ew/library/case.h"
 #include "ew/library/folder_lease.h"
 
@@ -50,7 +49,7 @@ class CaseDocument final : public QObject {
   /// the case stays unsaved
   [[nodiscard]] Result<void> save(const std::filesystem::path& folder = {}, const CaseOverwrite& decided = {},
                                   const std::string& idThere = {});
-  [[nodiscard]] bool hasUnsavedChanges() const { return current_.has_value() && !history_.isClean(); }
+  [[nodiscard]] bool hasUnsavedChanges() const { return current_.has_value() && history_.kept() != saved_; }
   /// Whether somebody else has saved the case since it was opened or saved here.
   [[nodiscard]] bool isChangedOnDisk() const;
   [[nodiscard]] bool isShippedCase() const { return current_.has_value() && isShipped_; }
@@ -62,18 +61,23 @@ class CaseDocument final : public QObject {
   [[nodiscard]] const std::optional<Error>& lost() const { return lost_; }
   /// Looks whether the folder is still this document's; done every 30 s by itself.
   void refreshLease();
-  [[nodiscard]] QUndoStack& history() { return history_; }
+  [[nodiscard]] const History<Case>& history() const { return history_; }
+  void undo();
+  void redo();
+  /// The case stays as it is and cannot be undone any more; it counts as saved.
+  void forgetSteps();
 
  Q_SIGNALS:
   void changed();                        ///< the case or its saved state
+  void stepped();                        ///< after changed(): undo and redo are others
   void opened();                         ///< another case, or this one under another name
   void closed();                         ///< none is open any more
   void leaseLost(const ew::Error& why);  ///< somebody else has taken the folder over: what is edited here can only be saved elsewhere
 
  private:
-  friend class ReplaceCase;
   void release();
-  void replace(const Case& next);
+  void begin(Case first);
+  void tell();
   std::optional<Case> current_;
   std::optional<Fingerprint> asRead_;
   bool isShipped_ = false;
@@ -81,7 +85,8 @@ class CaseDocument final : public QObject {
   std::optional<FolderLease> lease_;  ///< of the folder; empty: not edited yet, or not to be had
   std::optional<Error> lost_;
   QTimer refreshing_;
-  QUndoStack history_;
+  History<Case> history_;
+  std::shared_ptr<const Case> saved_ = history_.kept();
 };
 
 }  // namespace ew::ui

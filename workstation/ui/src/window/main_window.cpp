@@ -145,8 +145,6 @@ MainWindow::~MainWindow() {
   p.recent.disconnect();
   p.startPage->disconnect();
   p.jobs.cancelAllAndWait();
-  // An undo history that is destroyed says that it is empty; nobody is left to show it.
-  p.document.history().disconnect();
   p.host->disconnect();
   p.stopHearing(*QCoreApplication::instance());
   p.stopHearing(*p.panels);

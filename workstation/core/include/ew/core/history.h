@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "ew/core/contract.h"
+
 namespace ew {
 
 /// Whether a change is a step of its own, or goes on with the last one: a drag is many moves and one step back.
@@ -40,6 +42,12 @@ class History {
   /// The value before the step that one with this key would go on with; null: it would be a step of its own.
   [[nodiscard]] const Value* beforeMerging(const std::string& mergeKey) const {
     return canMerge(mergeKey) ? states_[at_ - 1].value.get() : nullptr;
+  }
+  /// The last step never was: undone, and nothing to be done again. There is one.
+  void forgetStep() {
+    EW_EXPECTS(canUndo());
+    undo();
+    states_.resize(at_ + 1);
   }
   /// The next step is one of its own, whatever its key: a hand has let go.
   void endMerging() { mergeKey_.clear(); }

@@ -80,7 +80,7 @@ void AccessLock::lock() {
   }
   // Undo would bring back what an author wrote, and edits would lie there unsaved.
   const bool hadEdits = p.document.hasUnsavedChanges();
-  p.document.history().clear();
+  p.document.forgetSteps();
   p.caseSaving->forgetEdits();
   if (hadEdits) p.caseSaving->reload();
   changed();

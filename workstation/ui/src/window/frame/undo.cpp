@@ -15,7 +15,7 @@ void Undo::addMenu(QMenu& edit) {
   redo_->setEnabled(false);
 }
 
-void Undo::connectParts() { connect(&parts_.document.history(), &QUndoStack::indexChanged, this, &Undo::refresh); }
+void Undo::connectParts() { connect(&parts_.document, &CaseDocument::stepped, this, &Undo::refresh); }
 
 bool Undo::editsCalipers() const {
   const measurement::CaliperDrawing& drawing = parts_.calipers.drawing();
@@ -38,7 +38,7 @@ void Undo::undo() {
   else if (const auto document = parts_.workspaces->panelDocument())
     document->undo();
   else
-    parts_.document.history().undo();
+    parts_.document.undo();
 }
 
 void Undo::redo() {
@@ -49,15 +49,15 @@ void Undo::redo() {
   else if (const auto document = parts_.workspaces->panelDocument())
     document->redo();
   else
-    parts_.document.history().redo();
+    parts_.document.redo();
 }
 
 void Undo::refresh() {
   WindowParts& p = parts_;
-  const QUndoStack& history = p.document.history();
+  const History<Case>& history = p.document.history();
   const auto document = p.workspaces->panelDocument();
-  QString undo = document != nullptr ? words(document->undoText()) : history.canUndo() ? history.undoText() : QString();
-  QString redo = document != nullptr ? words(document->redoText()) : history.canRedo() ? history.redoText() : QString();
+  QString undo = document != nullptr ? words(document->undoText()) : words(history.undoName());
+  QString redo = document != nullptr ? words(document->redoText()) : words(history.redoName());
   bool canUndo = document != nullptr ? !undo.isEmpty() : history.canUndo();
   bool canRedo = document != nullptr ? !redo.isEmpty() : history.canRedo();
   if (editsAnnotations()) {
