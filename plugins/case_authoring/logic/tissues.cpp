@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "ew/core/find_entry.h"
+
 namespace ew::case_authoring {
 namespace {
 
@@ -19,10 +21,7 @@ constexpr std::array<TissueChoice, 9> kTissues = {{
     {EW_TRANSLATE_NOOP("ew::case_authoring::TissueChoice", "Gas"), 12.0, 30.0, 0.0004},
 }};
 
-const TissueAcoustics* tissueIn(const Scene& scene, int label) {
-  const auto at = std::find_if(scene.tissues.begin(), scene.tissues.end(), [&](const auto& each) { return each.label == label; });
-  return at == scene.tissues.end() ? nullptr : &*at;
-}
+const TissueAcoustics* tissueIn(const Scene& scene, int label) { return entryWith(scene.tissues, &TissueAcoustics::label, label); }
 
 bool isSame(double value, double known) { return std::abs(value - known) < 1e-9; }
 

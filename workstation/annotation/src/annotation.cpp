@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/core/find_entry.h"
 #include "utf8.h"
 
 namespace ew::annotation {
@@ -29,10 +30,7 @@ double distanceToText_mm(glm::dvec2 p_mm, glm::dvec2 at_mm, const TextSize& size
 
 }  // namespace
 
-const Annotation* Annotations::find(int number) const {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Annotation& each) { return each.number == number; });
-  return found == all.end() ? nullptr : &*found;
-}
+const Annotation* Annotations::find(int number) const { return entryWith(all, &Annotation::number, number); }
 
 int AnnotationList::addText(glm::dvec2 at_mm, std::string_view text) {
   std::string line = oneLine(text, kLongestText);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ew/core/find_entry.h"
+
 namespace ew::annotation {
 namespace {
 
@@ -39,8 +41,7 @@ glm::dvec3 rolled(glm::dvec3 along, glm::dvec3 beam, glm::dvec3 into) {
 
 template <class Item>
 const Item* withId(const std::vector<Item>& items, std::string_view id) {
-  const auto found = std::find_if(items.begin(), items.end(), [&](const Item& each) { return each.id == id; });
-  return found == items.end() ? nullptr : &*found;
+  return entryWith(items, &Item::id, id);
 }
 
 bool isAmong(const std::vector<std::string>& words, std::string_view word) {

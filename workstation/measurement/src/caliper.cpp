@@ -10,6 +10,7 @@
 #include "cross.h"
 #include "discs.h"
 #include "ew/core/contract.h"
+#include "ew/core/find_entry.h"
 #include "spreads.h"
 
 namespace ew::measurement {
@@ -395,10 +396,7 @@ Figure figureOf(const CaliperFigure& figure) {
           figure.quantity.uncertainty};
 }
 
-const CaliperFigure* Measured::figure(FigureKind kind) const {
-  const auto found = std::find_if(figures.begin(), figures.end(), [&](const CaliperFigure& each) { return each.kind == kind; });
-  return found == figures.end() ? nullptr : &*found;
-}
+const CaliperFigure* Measured::figure(FigureKind kind) const { return entryWith(figures, &CaliperFigure::kind, kind); }
 
 Result<Measured> measure(const Caliper& caliper, const UncertaintyAt& at) {
   if (auto checked = checkShape(caliper); !checked) return passOn(checked.error());

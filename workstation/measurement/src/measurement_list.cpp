@@ -1,13 +1,10 @@
 #include "ew/measurement/measurement_list.h"
 
-#include <algorithm>
+#include "ew/core/find_entry.h"
 
 namespace ew::measurement {
 
-const Measurement* Measurements::find(int number) const {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Measurement& each) { return each.number == number; });
-  return found == all.end() ? nullptr : &*found;
-}
+const Measurement* Measurements::find(int number) const { return entryWith(all, &Measurement::number, number); }
 
 int MeasurementList::add(Caliper caliper, std::string name, std::string item, std::string side) {
   return EntryHistory::add(Measurement{0, std::move(name), std::move(item), std::move(side), std::move(caliper)});

@@ -1,12 +1,12 @@
 #include "ew/measurement/package.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "ew/core/contract.h"
+#include "ew/core/find_entry.h"
 #include "ew/io/json_files.h"
 
 namespace ew::measurement {
@@ -14,8 +14,7 @@ namespace {
 
 template <class Labelled>
 const Labelled* labelled(const std::vector<Labelled>& all, std::string_view label) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Labelled& one) { return one.label == label; });
-  return found == all.end() ? nullptr : &*found;
+  return entryWith(all, &Labelled::label, label);
 }
 
 double at(const Expression& expression, double weeks) { return expression.evaluate(std::array{weeks}); }

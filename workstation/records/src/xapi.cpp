@@ -1,10 +1,10 @@
 #include "ew/records/xapi.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "ew/core/figure.h"
+#include "ew/core/find_entry.h"
 #include "ew/core/version.h"
 #include "iri.h"
 
@@ -52,9 +52,7 @@ json scoreOf(double score) { return {{"scaled", score}, {"raw", score * 100.0}, 
 
 const LessonStep* AttemptStatements::stepOf(const std::string& id) const {
   if (!options_.lesson) return nullptr;
-  const auto& steps = options_.lesson->steps;
-  const auto at = std::find_if(steps.begin(), steps.end(), [&](const LessonStep& step) { return step.id == id; });
-  return at == steps.end() ? nullptr : &*at;
+  return entryWith(options_.lesson->steps, &LessonStep::id, id);
 }
 
 json AttemptStatements::actor() const {

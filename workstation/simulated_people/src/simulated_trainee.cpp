@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ew/core/find_entry.h"
 #include "ew/imaging/display.h"
 #include "trainee_answers.h"
 #include "trainee_hand.h"
@@ -23,12 +24,6 @@ constexpr double kBetweenSteps_s = 3.0;  // to read what is said after a step
 constexpr double kFreezes_s = 0.4;       // from the last image to the key
 constexpr double kCaliper_s = 2.5, kClick_s = 2.0, kHint_s = 4.0;
 constexpr double kNever_s = std::numeric_limits<double>::infinity();
-
-template <class All>
-const typename All::value_type* nameIn(const All& all, const std::string& name) {
-  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  return at == all.end() ? nullptr : &*at;
-}
 
 /// Half of an image's width at a depth.
 double halfWidthAt_mm(const Fan& fan, double depth_mm) {
@@ -105,8 +100,8 @@ class Working {
   }
   void take(const PointTask& task, SimulatedStep& made) {
     const TargetView* view = on_.viewOf(TargetKind::place, task.target);
-    const auto* point = nameIn(on_.teaching().truth.points, task.target);
-    const auto* structure = point == nullptr ? nameIn(on_.teaching().truth.structures, task.target) : nullptr;
+    const auto* point = entryNamed(on_.teaching().truth.points, task.target);
+    const auto* structure = point == nullptr ? entryNamed(on_.teaching().truth.structures, task.target) : nullptr;
     const int label = structure != nullptr ? structure->label : 0;
     scan(view, made, [&](TraineeHand& hand, HandPlan& plan) {
       constexpr int kTries = 3;  // whoever does not see it looks again
@@ -123,7 +118,7 @@ class Working {
   }
   void take(const MeasureTask& task, SimulatedStep& made) {
     const TargetView* view = on_.viewOf(TargetKind::measurement, task.measurement);
-    const auto* expected = nameIn(on_.teaching().truth.measurements, task.measurement);
+    const auto* expected = entryNamed(on_.teaching().truth.measurements, task.measurement);
     scan(view, made, [&](TraineeHand& hand, HandPlan&) {
       if (view != nullptr) hand.find(hand.pressed(view->hold));
     });
@@ -205,7 +200,7 @@ class Working {
   double time_s_ = 0.0, begin_s_ = 0.0, limit_s_ = kNever_s, reading_s_ = 0.0, scanned_s_ = 0.0;
 };
 
-bool isScanned(const LessonTask& task) {
+bool needsImage(const LessonTask& task) {
   return !std::holds_alternative<ReadingTask>(task) && !std::holds_alternative<WatchTask>(task) &&
          !std::holds_alternative<AnswerTask>(task);
 }
@@ -216,7 +211,7 @@ std::vector<SimulatedStep> simulateAttempt(const Lesson& lesson, const TraineeCa
                                            const SimulationOptions& options) {
   std::vector<SimulatedStep> steps;
   Working working(on, habits, seed, options);
-  const auto lastScan = std::find_if(lesson.steps.rbegin(), lesson.steps.rend(), [](const LessonStep& s) { return isScanned(s.task); });
+  const auto lastScan = std::find_if(lesson.steps.rbegin(), lesson.steps.rend(), [](const LessonStep& s) { return needsImage(s.task); });
   for (std::size_t n = 0; n < lesson.steps.size(); ++n) {
     if (options.stopped && options.stopped()) break;
     const LessonStep& step = lesson.steps[n];

@@ -6,6 +6,7 @@
 
 #include "ew/assessment/exercise.h"
 #include "ew/assessment/hand_path.h"
+#include "ew/core/find_entry.h"
 #include "ew/library/lesson_links.h"
 #include "ew/scanning/contact.h"
 
@@ -14,12 +15,6 @@ namespace {
 
 constexpr double kLooksEvery_s = 0.5;      // of an expert's recording
 constexpr double kLeverOfTurns_mm = 60.0;  // as time warping compares poses
-
-template <class All>
-const typename All::value_type* byName(const All& all, const std::string& name) {
-  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  return at == all.end() ? nullptr : &*at;
-}
 
 /// What the steps of lessons look for.
 std::set<std::pair<TargetKind, std::string>> targetsIn(const std::vector<Lesson>& lessons) {
@@ -154,19 +149,19 @@ std::optional<TargetView> TraineeCase::found(TargetKind kind, const std::string&
     return TargetView{holdFor(Pose{.probeToWorld = plane.probeToWorld}, *teaching_.skin)};
   };
   if (kind == TargetKind::plane) {
-    const auto* plane = byName(truth.planes, name);
+    const auto* plane = entryNamed(truth.planes, name);
     return plane != nullptr ? std::optional(viewOfPlane(*plane)) : std::nullopt;
   }
   if (kind == TargetKind::measurement) {
-    const auto* measurement = byName(truth.measurements, name);
+    const auto* measurement = entryNamed(truth.measurements, name);
     if (measurement == nullptr) return std::nullopt;
-    const auto* plane = byName(truth.planes, measurement->plane);
+    const auto* plane = entryNamed(truth.planes, measurement->plane);
     if (plane != nullptr && (measurement->points_mm.size() != 2 || holds(*plane, measurement->points_mm))) return viewOfPlane(*plane);
     if (measurement->points_mm.size() < 2) return std::nullopt;
     return TargetView{holdShowing(teaching_, start_, measurement->points_mm[0], measurement->points_mm[1])};
   }
-  if (const auto* point = byName(truth.points, name)) return TargetView{holdShowing(teaching_, start_, point->at_mm, point->at_mm)};
-  const auto* structure = byName(truth.structures, name);
+  if (const auto* point = entryNamed(truth.points, name)) return TargetView{holdShowing(teaching_, start_, point->at_mm, point->at_mm)};
+  const auto* structure = entryNamed(truth.structures, name);
   if (structure == nullptr) return std::nullopt;
   const auto hold = viewOfOrgan({truth, teaching_.skin, teaching_.region, teaching_.probe, 0.0, teaching_.labels}, structure->label);
   if (!hold) return std::nullopt;

@@ -7,6 +7,7 @@
 #include "attempts/series_files.h"
 #include "ew/assessment/metric.h"
 #include "ew/core/data_file.h"
+#include "ew/core/find_entry.h"
 #include "ew/core/json_fields.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/instructor_log.h"
@@ -83,10 +84,7 @@ double shareOf(const MetricWeight& weight, double value) {
   return std::clamp((value - weight.worst) / (weight.best - weight.worst), 0.0, 1.0);
 }
 
-const StepPlan* AssessmentPlan::of(const std::string& stepId) const {
-  const auto found = std::find_if(steps.begin(), steps.end(), [&](const StepPlan& one) { return one.stepId == stepId; });
-  return found == steps.end() ? nullptr : &*found;
-}
+const StepPlan* AssessmentPlan::of(const std::string& stepId) const { return entryWith(steps, &StepPlan::stepId, stepId); }
 
 StepPlan& AssessmentPlan::at(const std::string& stepId) {
   const auto found = std::find_if(steps.begin(), steps.end(), [&](const StepPlan& one) { return one.stepId == stepId; });

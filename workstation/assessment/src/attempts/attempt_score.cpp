@@ -1,9 +1,8 @@
 #include "ew/assessment/attempt_score.h"
 
-#include <algorithm>
-
 #include "attempts/series_files.h"
 #include "ew/core/data_file.h"
+#include "ew/core/find_entry.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/message_json.h"
 #include "ew/io/safe_file.h"
@@ -71,10 +70,7 @@ Result<AttemptScore> readScore(const assessment::SeriesFile& from) {
 
 }  // namespace
 
-const StepScore* AttemptScore::of(const std::string& stepId) const {
-  const auto found = std::find_if(steps.begin(), steps.end(), [&](const StepScore& one) { return one.stepId == stepId; });
-  return found == steps.end() ? nullptr : &*found;
-}
+const StepScore* AttemptScore::of(const std::string& stepId) const { return entryWith(steps, &StepScore::stepId, stepId); }
 
 Result<AttemptScore> scoreFromJson(const json& document) {
   JsonReading reading(say<"the score">());

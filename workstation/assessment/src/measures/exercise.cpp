@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ew/assessment/random_numbers.h"
+#include "ew/core/find_entry.h"
 #include "ew/core/word_table.h"
 #include "ew/scanning/contact.h"
 
@@ -22,23 +23,17 @@ RandomHold freelyOf(const ExerciseGround& ground, double rotation_rad = 3.141592
   return {rotation_rad, tip_rad, usualPress_mm(ground.probe)};
 }
 
-template <class List>
-auto namedIn(const List& list, const std::string& name) -> decltype(list.data()) {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
-  return found == list.end() ? nullptr : &*found;
-}
-
 Exercise exerciseFor(const Case& edited, ExerciseKind kind, const std::string& target, bool reveals) {
   return {edited.id + "/" + std::string(wordOf(kind)) + "/" + target, edited.id, kind, target, reveals};
 }
 
 bool targetReveals(const Case& edited, const std::string& name) {
-  const auto* target = namedIn(edited.targets, name);
+  const auto* target = entryNamed(edited.targets, name);
   return target != nullptr && target->revealsFinding;
 }
 
 bool measurementReveals(const Case& edited, const std::string& name) {
-  const auto* measurement = namedIn(edited.measurements, name);
+  const auto* measurement = entryNamed(edited.measurements, name);
   return measurement != nullptr && measurement->revealsFinding;
 }
 
@@ -189,12 +184,12 @@ ExerciseDifficulty difficultyOf(int level) {
   return kLevels[static_cast<std::size_t>(std::clamp(level, 1, kExerciseLevels) - 1)];
 }
 
-const ReferencePlane* planeOf(const Exercise& exercise, const CaseTruth& truth) { return namedIn(truth.planes, exercise.target); }
+const ReferencePlane* planeOf(const Exercise& exercise, const CaseTruth& truth) { return entryNamed(truth.planes, exercise.target); }
 const ReferenceStructure* structureOf(const Exercise& exercise, const CaseTruth& truth) {
-  return namedIn(truth.structures, exercise.target);
+  return entryNamed(truth.structures, exercise.target);
 }
 const ReferenceMeasurement* measurementOf(const Exercise& exercise, const CaseTruth& truth) {
-  return namedIn(truth.measurements, exercise.target);
+  return entryNamed(truth.measurements, exercise.target);
 }
 
 ExerciseList exercisesOf(const Case& edited, const ExerciseGround& ground, std::uint64_t seed) {
@@ -227,7 +222,7 @@ std::optional<Hold> startOf(const Exercise& exercise, const ExerciseGround& grou
   }
   const ReferenceMeasurement* measurement = measurementOf(exercise, ground.truth);
   if (measurement == nullptr) return std::nullopt;
-  const ReferencePlane* plane = namedIn(ground.truth.planes, measurement->plane);
+  const ReferencePlane* plane = entryNamed(ground.truth.planes, measurement->plane);
   if (plane != nullptr && level <= 2) return startForPlane(*plane, ground, level, seed, true);
   return randomHold(ground.region, *ground.skin, seed * 104729, freelyOf(ground));
 }

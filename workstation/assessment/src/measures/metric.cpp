@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ew/core/find_entry.h"
+
 namespace ew {
 namespace {
 
@@ -170,8 +172,7 @@ const std::vector<Metric>& metrics() {
 
 const Metric* metricOf(std::string_view id) {
   const auto& all = metrics();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Metric& one) { return one.id == id; });
-  return found == all.end() ? nullptr : &*found;
+  return entryWith(all, &Metric::id, id);
 }
 
 bool isFor(const Metric& metric, std::string_view stepKind) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "ew/core/find_entry.h"
 #include "ew/core/json_fields.h"
 #include "ew/io/content_key.h"
 #include "rating/rating_ids.h"
@@ -74,10 +75,7 @@ Result<void> checkItem(const RatingForm& form, const ItemRating& rated) {
 
 }  // namespace
 
-const ItemRating* Rating::itemOf(std::string_view itemId) const {
-  const auto found = std::find_if(items.begin(), items.end(), [&](const ItemRating& each) { return each.item == itemId; });
-  return found == items.end() ? nullptr : &*found;
-}
+const ItemRating* Rating::itemOf(std::string_view itemId) const { return entryWith(items, &ItemRating::item, itemId); }
 
 std::optional<double> totalOf(const RatingForm& form, const Rating& rating) {
   double sum = 0.0, weights = 0.0;

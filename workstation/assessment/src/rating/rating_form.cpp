@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "ew/core/find_entry.h"
 #include "ew/core/json_fields.h"
 #include "ew/io/content_key.h"
 #include "ew/io/json_files.h"
@@ -98,15 +99,11 @@ void addFrom(const fs::path& folder, RatingFormList& list) {
 
 }  // namespace
 
-const RatingItem* RatingForm::itemOf(std::string_view itemId) const {
-  const auto found = std::find_if(items.begin(), items.end(), [&](const RatingItem& each) { return each.id == itemId; });
-  return found == items.end() ? nullptr : &*found;
-}
+const RatingItem* RatingForm::itemOf(std::string_view itemId) const { return entryWith(items, &RatingItem::id, itemId); }
 
 const RatingPassLevel* RatingForm::passLevelOf(std::string_view levelId) const {
   if (levelId.empty()) return passLevels.size() == 1 ? &passLevels.front() : nullptr;
-  const auto found = std::find_if(passLevels.begin(), passLevels.end(), [&](const RatingPassLevel& each) { return each.id == levelId; });
-  return found == passLevels.end() ? nullptr : &*found;
+  return entryWith(passLevels, &RatingPassLevel::id, levelId);
 }
 
 Result<RatingForm> ratingFormFromJson(const json& document, const Message& where) {

@@ -7,23 +7,18 @@
 #include "ew/assessment/plane_error.h"
 #include "ew/assessment/time_warping.h"
 #include "ew/core/figure.h"
+#include "ew/core/find_entry.h"
 #include "ew/imaging/display.h"
 #include "ew/library/step_answer.h"
 
 namespace ew {
 namespace {
 
-template <class All>
-const typename All::value_type* ofName(const All& all, const std::string& name) {
-  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  return at == all.end() ? nullptr : &*at;
-}
-
 /// The plane that a step is about, if it is one of the case's.
 const ReferencePlane* planeOfStep(const LessonTask& task, const CaseTruth& truth) {
-  if (const auto* plane = std::get_if<PlaneTask>(&task)) return ofName(truth.planes, plane->target);
+  if (const auto* plane = std::get_if<PlaneTask>(&task)) return entryNamed(truth.planes, plane->target);
   if (const auto* measure = std::get_if<MeasureTask>(&task))
-    if (const auto* expected = ofName(truth.measurements, measure->measurement)) return ofName(truth.planes, expected->plane);
+    if (const auto* expected = entryNamed(truth.measurements, measure->measurement)) return entryNamed(truth.planes, expected->plane);
   return nullptr;
 }
 
@@ -103,7 +98,7 @@ class Figures {
     if (outcome.verdict != StepVerdict::skipped) add("answer_error", 100.0 * (1.0 - outcome.score));
     if (std::holds_alternative<PointTask>(record_.step.task)) add("landmark_distance", figure("distance"));
     const auto* task = std::get_if<MeasureTask>(&record_.step.task);
-    const auto* expected = task != nullptr ? ofName(ground_.truth().measurements, task->measurement) : nullptr;
+    const auto* expected = task != nullptr ? entryNamed(ground_.truth().measurements, task->measurement) : nullptr;
     const auto* answer = std::get_if<MeasurementAnswer>(&outcome.answer);
     if (expected == nullptr || answer == nullptr) return;
     if (expected->value != 0.0) add("measurement_error", 100.0 * std::abs(answer->value - expected->value) / std::abs(expected->value));
@@ -155,7 +150,7 @@ class Figures {
     }
     std::vector<OrganCoverage> organs;
     for (const std::string& name : names)
-      if (const auto* structure = ofName(ground_.truth().structures, name))
+      if (const auto* structure = entryNamed(ground_.truth().structures, name))
         if (auto voxels = ground_.organ(structure->label); !voxels->empty()) organs.emplace_back(std::move(voxels));
     if (organs.empty()) return;
     ScanState image;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ew/core/contract.h"
+#include "ew/core/find_entry.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/display.h"
 #include "works/step_works.h"
@@ -45,12 +46,6 @@ Message noImage() { return say<"There is no image yet; put the probe on the body
 
 namespace {
 
-template <class All>
-const typename All::value_type* named(const All& all, const std::string& name) {
-  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  return at == all.end() ? nullptr : &*at;
-}
-
 Result<std::unique_ptr<StepWork>> notThere(const std::string& name) {
   if (name.empty())
     return failure(ErrorCode::badField, say<"The step does not say yet what it asks for; choose that in the lesson first.">());
@@ -65,25 +60,25 @@ struct MakeWork {
   Made operator()(const ReadingTask&) const { return readWork(); }
   Made operator()(const WatchTask&) const { return watchWork(); }
   Made operator()(const PlaneTask& task) const {
-    const ReferencePlane* plane = named(ground->truth().planes, task.target);
+    const ReferencePlane* plane = entryNamed(ground->truth().planes, task.target);
     if (plane == nullptr) return notThere(task.target);
     return planeWork(task, *plane, ground);
   }
   Made operator()(const SweepTask& task) const {
-    const ReferenceStructure* structure = named(ground->truth().structures, task.target);
+    const ReferenceStructure* structure = entryNamed(ground->truth().structures, task.target);
     if (structure == nullptr || !ground->hasLabels()) return notThere(task.target);
     return sweepWork(task, ground->organ(structure->label));
   }
   Made operator()(const MeasureTask& task) const {
-    const ReferenceMeasurement* expected = named(ground->truth().measurements, task.measurement);
+    const ReferenceMeasurement* expected = entryNamed(ground->truth().measurements, task.measurement);
     if (expected == nullptr) return notThere(task.measurement);
     const auto tolerance = task.tolerance ? task.tolerance : expected->tolerance;
     if (!tolerance) return notThere(task.measurement);
     return measureWork(*expected, *tolerance);
   }
   Made operator()(const PointTask& task) const {
-    if (const ReferencePoint* point = named(ground->truth().points, task.target)) return pointWork(*point);
-    const ReferenceStructure* structure = named(ground->truth().structures, task.target);
+    if (const ReferencePoint* point = entryNamed(ground->truth().points, task.target)) return pointWork(*point);
+    const ReferenceStructure* structure = entryNamed(ground->truth().structures, task.target);
     if (structure == nullptr || !ground->hasLabels()) return notThere(task.target);
     return pointWork(ground->organ(structure->label));
   }

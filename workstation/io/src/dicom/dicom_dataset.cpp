@@ -10,6 +10,7 @@
 #include <new>
 
 #include "ew/core/file_errors.h"
+#include "ew/core/find_entry.h"
 #include "ew/core/numbers.h"
 #include "files/grey_samples.h"
 #include "files/image_header.h"
@@ -406,10 +407,7 @@ Result<std::vector<std::uint8_t>> readWholeFile(const fs::path& file, std::uint6
   return bytes;
 }
 
-const DicomElement* DicomItem::find(DicomTag tag) const {
-  const auto found = std::find_if(elements.begin(), elements.end(), [&](const DicomElement& element) { return element.tag == tag; });
-  return found == elements.end() ? nullptr : &*found;
-}
+const DicomElement* DicomItem::find(DicomTag tag) const { return entryWith(elements, &DicomElement::tag, tag); }
 
 std::span<const DicomItem> DicomItem::items(DicomTag tag) const {
   const DicomElement* const element = find(tag);

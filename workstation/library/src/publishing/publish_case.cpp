@@ -7,6 +7,7 @@
 
 #include "case/outgoing_case.h"
 #include "case/revisions.h"
+#include "ew/core/find_entry.h"
 #include "ew/library/published.h"
 #include "ew/library/publishing.h"
 #include "files/file_pieces.h"
@@ -70,8 +71,7 @@ Result<void> checkReady(const Case& opened, const fs::path& library) {
   std::optional<std::vector<Case>> around;
   const auto missing = missingForPublishing(opened, [&](const std::string& id) -> const Case* {
     if (!around) around = casesAround(opened.folder, library);
-    const auto found = std::find_if(around->begin(), around->end(), [&](const Case& each) { return each.id == id; });
-    return found == around->end() ? nullptr : &*found;
+    return entryWith(*around, &Case::id, id);
   });
   if (missing.empty()) return {};
   std::vector<std::pair<std::string, std::string>> context = {{"field", missing.front().field},

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/core/elapsed.h"
+#include "ew/core/find_entry.h"
 #include "ew/door/host_parts.h"
 #include "ew/library/case.h"
 #include "ew/sdk/case_parts.h"
@@ -161,9 +162,6 @@ std::vector<Error> HeadlessHost::partProblems(const nlohmann::json& manifest) co
 }
 sdk::Log& HeadlessHost::log() { return parts_->log; }
 const std::vector<Command>& HeadlessHost::registered() const { return parts_->commands.commands; }
-const Command* HeadlessHost::find(const std::string& name) const {
-  const auto at = std::find_if(registered().begin(), registered().end(), [&](const Command& c) { return c.name == name; });
-  return at == registered().end() ? nullptr : &*at;
-}
+const Command* HeadlessHost::find(const std::string& name) const { return entryWith(registered(), &Command::name, name); }
 
 }  // namespace ew::door
