@@ -5,7 +5,6 @@
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "ew/widgets/fields.h"
 #include "ew/widgets/theme.h"
@@ -19,48 +18,21 @@ QString sizeWords(std::uint64_t bytes) {
   return QLocale().formattedDataSize(static_cast<qint64>(bytes), figure < 10 && bytes >= 1024 ? 1 : 0);
 }
 
-ExaminationsField::ExaminationsField(Of what, QWidget* parent) : QWidget(parent), what_(what) {
+ExaminationsField::ExaminationsField(Of what, QWidget* parent) : ListField(kGrid_px, parent), what_(what) {
   const bool isLaboratory = what_ == Of::laboratory;
   setObjectName(isLaboratory ? QStringLiteral("laboratory") : QStringLiteral("previous_examinations"));
-  column_ = new QVBoxLayout(this);
-  column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(kGrid_px);
-  entries_ = new QWidget;
-  column_->addWidget(entries_);
   auto* add = new QPushButton(isLaboratory ? tr("Add laboratory values") : tr("Add an examination"));
   add->setObjectName(isLaboratory ? QStringLiteral("addLaboratory") : QStringLiteral("addExamination"));
-  column_->addWidget(add, 0, Qt::AlignLeft);
+  column().addWidget(add, 0, Qt::AlignLeft);
   connect(add, &QPushButton::clicked, this, [this] {
-    list_.emplace_back();
-    remake();
-    tell();
-    const QString name = namePrefix(list_.size() - 1) + QStringLiteral("when");
+    replace([](std::vector<CaseExamination>& all) { all.emplace_back(); });
+    const QString name = namePrefix(list().size() - 1) + QStringLiteral("when");
     if (auto* first = findChild<QLineEdit*>(name)) first->setFocus();
   });
 }
 
-void ExaminationsField::setValue(const std::vector<CaseExamination>& list) {
-  if (list == list_) return;
-  list_ = list;
-  remake();
-}
-
-void ExaminationsField::remake() {
-  // The button that asked for it may be among what is replaced.
-  column_->removeWidget(entries_);
-  entries_->hide();
-  entries_->setParent(nullptr);
-  entries_->deleteLater();
-  entries_ = new QWidget;
-  auto* rows = new QVBoxLayout(entries_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(kGrid_px);
-  column_->insertWidget(0, entries_);
-  for (std::size_t n = 0; n < list_.size(); ++n) addOne(n);
-}
-
-void ExaminationsField::addOne(std::size_t number) {
-  const CaseExamination& one = list_[number];
+void ExaminationsField::addRows(std::size_t number, QVBoxLayout& rows) {
+  const CaseExamination& one = list()[number];
   const QString name = namePrefix(number);
   auto* head = new QHBoxLayout;
   head->setSpacing(kGrid_px);
@@ -70,21 +42,16 @@ void ExaminationsField::addOne(std::size_t number) {
     edited->setPlaceholderText(hint);
     edited->setAccessibleName(hint);
     edited->setText(words(one.*text));
-    connect(edited, &QLineEdit::textEdited, this, [this, number, text](const QString& typed) { edit(number, text, typed); });
+    connect(edited, &QLineEdit::textEdited, this, [this, number, text](const QString& typed) { editText(number, text, typed); });
     head->addWidget(edited, 1);
   };
   line("when", &CaseExamination::when, tr("when"));
   if (what_ == Of::examinations) line("kind", &CaseExamination::kind, tr("kind"));
   auto* away = new QPushButton(tr("Remove"));
   away->setObjectName(name + QStringLiteral("remove"));
-  connect(away, &QPushButton::clicked, this, [this, number] {
-    list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(number));
-    remake();
-    tell();
-  });
+  connect(away, &QPushButton::clicked, this, [this, number] { remove(number); });
   head->addWidget(away);
-  auto* rows = static_cast<QVBoxLayout*>(entries_->layout());
-  rows->addLayout(head);
+  rows.addLayout(head);
   auto* findings = new QPlainTextEdit;
   findings->setObjectName(name + QStringLiteral("findings"));
   findings->setPlaceholderText(tr("what it said"));
@@ -94,21 +61,21 @@ void ExaminationsField::addOne(std::size_t number) {
   findings->setFixedHeight(8 * kGrid_px);
   findings->setPlainText(words(one.findings));
   connect(findings, &QPlainTextEdit::textChanged, this,
-          [this, number, findings] { edit(number, &CaseExamination::findings, findings->toPlainText()); });
-  rows->addWidget(findings);
-  if (what_ == Of::examinations) addImagesOf(number, *rows);
+          [this, number, findings] { editText(number, &CaseExamination::findings, findings->toPlainText()); });
+  rows.addWidget(findings);
+  if (what_ == Of::examinations) addImagesOf(number, rows);
 }
 
 void ExaminationsField::addImagesOf(std::size_t number, QVBoxLayout& rows) {
-  auto* shown = new ImagesField(namePrefix(number), folder_, list_[number].images);
+  auto* shown = new ImagesField(namePrefix(number), folder_, list()[number].images);
   shown->onAdd = [this, number] {
     if (onImagesAsked) onImagesAsked(number);
   };
   shown->onRemove = [this, number](std::size_t image) {
-    auto& images = list_[number].images;
-    images.erase(images.begin() + static_cast<std::ptrdiff_t>(image));
-    remake();
-    tell();
+    replace([=](std::vector<CaseExamination>& all) {
+      auto& images = all[number].images;
+      images.erase(images.begin() + static_cast<std::ptrdiff_t>(image));
+    });
   };
   rows.addWidget(shown);
 }
@@ -120,26 +87,20 @@ void ExaminationsField::setFolder(const std::filesystem::path& folder) {
 }
 
 void ExaminationsField::addImages(std::size_t number, const std::vector<std::string>& files) {
-  if (number >= list_.size() || files.empty()) return;
-  auto& images = list_[number].images;
-  for (const std::string& file : files)
-    if (std::find(images.begin(), images.end(), file) == images.end()) images.push_back(file);
-  remake();
-  tell();
+  if (number >= list().size() || files.empty()) return;
+  replace([&](std::vector<CaseExamination>& all) {
+    auto& images = all[number].images;
+    for (const std::string& file : files)
+      if (std::find(images.begin(), images.end(), file) == images.end()) images.push_back(file);
+  });
 }
 
 QString ExaminationsField::namePrefix(std::size_t number) const {
   return (what_ == Of::laboratory ? QStringLiteral("laboratory_%1_") : QStringLiteral("examination_%1_")).arg(number);
 }
 
-void ExaminationsField::edit(std::size_t number, std::string CaseExamination::*text, const QString& typed) {
-  if (number >= list_.size()) return;
-  list_[number].*text = typed.toStdString();
-  tell();
-}
-
-void ExaminationsField::tell() {
-  if (onChanged) onChanged(list_);
+void ExaminationsField::editText(std::size_t number, std::string CaseExamination::*text, const QString& typed) {
+  edit(number, [&](CaseExamination& edited) { edited.*text = typed.toStdString(); });
 }
 
 }  // namespace ew::case_authoring

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <QComboBox>
 #include <QString>
-#include <QStringList>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -13,8 +11,7 @@
 
 #include "ew/library/case_values.h"
 #include "ew/widgets/words.h"
-
-class QVBoxLayout;
+#include "panel/list_field.h"
 
 namespace ew::case_authoring {
 
@@ -24,9 +21,8 @@ inline QString nameOf(const std::string& path) { return words(path).replace(QLat
 /// A size that people read has no hundredths: "42 MiB", "4.2 MiB".
 [[nodiscard]] QString sizeWords(std::uint64_t bytes);
 
-/// Earlier examinations, one below the other: when, what kind, what it said, and its images. Fields of an examination that it does not
-/// show stay as they are.
-class ExaminationsField final : public QWidget {
+/// Earlier examinations, one below the other: when, what kind, what it said, and its images.
+class ExaminationsField final : public ListField<CaseExamination> {
   Q_OBJECT
 
  public:
@@ -34,27 +30,20 @@ class ExaminationsField final : public QWidget {
   enum class Of { examinations, laboratory };
   explicit ExaminationsField(Of what = Of::examinations, QWidget* parent = nullptr);
 
-  void setValue(const std::vector<CaseExamination>& list);
-  std::function<void(const std::vector<CaseExamination>& list)> onChanged;  ///< called when the user edits
-  void setFolder(const std::filesystem::path& folder);                      ///< of the case, where its images lie
+  void setFolder(const std::filesystem::path& folder);  ///< of the case, where its images lie
   /// The user wants images in an examination; answered by addPictures.
   std::function<void(std::size_t number)> onImagesAsked;
   /// @param files in the case folder, as it names them ("media/….png"); those that are there already stay once
   void addImages(std::size_t number, const std::vector<std::string>& files);
 
  private:
-  void remake();
-  void addOne(std::size_t number);
+  void addRows(std::size_t number, QVBoxLayout& rows) override;
   void addImagesOf(std::size_t number, QVBoxLayout& rows);
-  void tell();
   [[nodiscard]] QString namePrefix(std::size_t number) const;
-  void edit(std::size_t number, std::string CaseExamination::*text, const QString& typed);
+  void editText(std::size_t number, std::string CaseExamination::*text, const QString& typed);
 
   Of what_;
   std::filesystem::path folder_;
-  std::vector<CaseExamination> list_;
-  QVBoxLayout* column_ = nullptr;
-  QWidget* entries_ = nullptr;
 };
 
 }  // namespace ew::case_authoring

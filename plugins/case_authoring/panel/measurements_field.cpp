@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "ew/widgets/fields.h"
 #include "ew/widgets/theme.h"
@@ -33,27 +33,21 @@ Widget* named(Widget* widget, std::size_t number, const char* part) {
 
 }  // namespace
 
-MeasurementsField::MeasurementsField(QWidget* parent) : QWidget(parent) {
+MeasurementsField::MeasurementsField(QWidget* parent) : ListField(2 * kGrid_px, parent) {
   setObjectName(QStringLiteral("measurements"));
-  column_ = new QVBoxLayout(this);
-  column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(kGrid_px);
-  entries_ = new QWidget;
-  column_->addWidget(entries_);
   auto* add = new QPushButton(tr("Add a measurement"));
   add->setObjectName(QStringLiteral("addMeasurement"));
-  column_->addWidget(add, 0, Qt::AlignLeft);
+  column().addWidget(add, 0, Qt::AlignLeft);
   connect(add, &QPushButton::clicked, this, [this] {
-    CaseMeasurement& fresh = list_.emplace_back();
-    fresh.name = tr("measurement %1").arg(list_.size()).toStdString();
+    CaseMeasurement fresh;
+    fresh.name = tr("measurement %1").arg(list().size() + 1).toStdString();
     if (!patientKnows_) {
       fresh.value = 0.0;
       fresh.kind = kMeasurementKinds[0].kind;
       fresh.unit = kMeasurementKinds[0].unit;
     }
-    remake();
-    tell();
-    const QString name = QStringLiteral("measurement_%1_name").arg(list_.size() - 1);
+    replace([&](std::vector<CaseMeasurement>& all) { all.push_back(std::move(fresh)); });
+    const QString name = QStringLiteral("measurement_%1_name").arg(list().size() - 1);
     if (auto* first = findChild<QLineEdit*>(name)) {
       first->setFocus();
       first->selectAll();
@@ -67,26 +61,7 @@ void MeasurementsField::setPatientKnows(bool knows) {
   remake();
 }
 
-void MeasurementsField::setValue(const std::vector<CaseMeasurement>& list) {
-  if (list == list_) return;
-  list_ = list;
-  remake();
-}
-
-void MeasurementsField::remake() {
-  column_->removeWidget(entries_);
-  entries_->hide();
-  entries_->setParent(nullptr);
-  entries_->deleteLater();
-  entries_ = new QWidget;
-  auto* rows = new QVBoxLayout(entries_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(2 * kGrid_px);
-  column_->insertWidget(0, entries_);
-  for (std::size_t n = 0; n < list_.size(); ++n) addOne(n);
-}
-
-void MeasurementsField::addOne(std::size_t number) {
+void MeasurementsField::addRows(std::size_t number, QVBoxLayout& rows) {
   auto* grid = new QGridLayout;
   grid->setSpacing(kGrid_px);
   addNameRow(*grid, number);
@@ -94,28 +69,24 @@ void MeasurementsField::addOne(std::size_t number) {
   addValueRows(*grid, number);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
-  static_cast<QVBoxLayout*>(entries_->layout())->addLayout(grid);
+  rows.addLayout(grid);
 }
 
 void MeasurementsField::addNameRow(QGridLayout& grid, std::size_t number) {
   auto* name = named(new WithHostUndo<QLineEdit>, number, "name");
   name->setAccessibleName(tr("what is measured"));
   name->setPlaceholderText(tr("what is measured"));
-  name->setText(words(list_[number].name));
+  name->setText(words(list()[number].name));
   connect(name, &QLineEdit::textEdited, this,
           [this, number](const QString& text) { edit(number, [&](CaseMeasurement& edited) { edited.name = text.toStdString(); }); });
   grid.addWidget(name, 0, 0, 1, 2);
   auto* away = named(new QPushButton(tr("Remove")), number, "remove");
-  connect(away, &QPushButton::clicked, this, [this, number] {
-    list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(number));
-    remake();
-    tell();
-  });
+  connect(away, &QPushButton::clicked, this, [this, number] { remove(number); });
   grid.addWidget(away, 0, 2);
 }
 
 void MeasurementsField::addKindRow(QGridLayout& grid, std::size_t number) {
-  const CaseMeasurement& one = list_[number];
+  const CaseMeasurement& one = list()[number];
   auto* kind = named(new ChoiceField, number, "kind");
   kind->setFocusPolicy(Qt::StrongFocus);
   kind->setAccessibleName(tr("kind"));
@@ -130,17 +101,13 @@ void MeasurementsField::addKindRow(QGridLayout& grid, std::size_t number) {
   take->setToolTip(tr("Take the caliper I have drawn: value, kind and where it stands"));
   connect(take, &QPushButton::clicked, this, [this, number] {
     if (!onTake) return;
-    auto taken = onTake(list_[number]);
-    if (!taken) return;
-    list_[number] = std::move(*taken);
-    remake();
-    tell();
+    if (auto taken = onTake(list()[number])) replace([&](std::vector<CaseMeasurement>& all) { all[number] = std::move(*taken); });
   });
   grid.addWidget(take, 1, 2);
 }
 
 void MeasurementsField::addValueRows(QGridLayout& grid, std::size_t number) {
-  const CaseMeasurement& one = list_[number];
+  const CaseMeasurement& one = list()[number];
   const QString unit = unitWords(one.unit);
   auto* value = named(new NumberField(0.0, kMostValue, 2, unit), number, "value");
   value->setAccessibleName(tr("value"));
@@ -172,27 +139,17 @@ void MeasurementsField::addValueRows(QGridLayout& grid, std::size_t number) {
 }
 
 void MeasurementsField::chooseKind(std::size_t number, const std::string& kind) {
-  if (number >= list_.size()) return;
-  CaseMeasurement& edited = list_[number];
-  edited.points_mm.clear();  // of another kind of caliper
+  if (number >= list().size()) return;
   const auto known =
       std::find_if(kMeasurementKinds.begin(), kMeasurementKinds.end(), [&](const MeasurementKind& each) { return each.kind == kind; });
   const bool isKnown = known != kMeasurementKinds.end();
-  edited.kind = isKnown ? known->kind : std::string_view();
-  edited.unit = isKnown ? known->unit : std::string_view();
-  edited.value = isKnown ? std::optional(edited.value.value_or(0.0)) : std::nullopt;
-  remake();
-  tell();
-}
-
-void MeasurementsField::edit(std::size_t number, const std::function<void(CaseMeasurement&)>& change) {
-  if (number >= list_.size()) return;
-  change(list_[number]);
-  tell();
-}
-
-void MeasurementsField::tell() {
-  if (onChanged) onChanged(list_);
+  replace([&](std::vector<CaseMeasurement>& all) {
+    CaseMeasurement& edited = all[number];
+    edited.points_mm.clear();  // of another kind of caliper
+    edited.kind = isKnown ? known->kind : std::string_view();
+    edited.unit = isKnown ? known->unit : std::string_view();
+    edited.value = isKnown ? std::optional(edited.value.value_or(0.0)) : std::nullopt;
+  });
 }
 
 }  // namespace ew::case_authoring

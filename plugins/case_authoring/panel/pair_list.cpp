@@ -6,7 +6,6 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include "ew/widgets/fields.h"
 #include "ew/widgets/look.h"
@@ -27,13 +26,7 @@ QString nameOf(const BodyLandmark& landmark) { return words(landmark.name.in(QLo
 
 }  // namespace
 
-PairList::PairList(QWidget* parent) : QWidget(parent) {
-  column_ = new QVBoxLayout(this);
-  column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(0);
-  entries_ = new QWidget;
-  column_->addWidget(entries_);
-}
+PairList::PairList(QWidget* parent) : EntryRows(kGrid_px, parent) {}
 
 void PairList::setLandmarks(std::vector<BodyLandmark> landmarks) {
   if (landmarks == landmarks_) return;
@@ -43,21 +36,12 @@ void PairList::setLandmarks(std::vector<BodyLandmark> landmarks) {
 }
 
 void PairList::remake(std::size_t count) {
-  // The button that asked for it may be among what is replaced.
-  column_->removeWidget(entries_);
-  entries_->hide();
-  entries_->setParent(nullptr);
-  entries_->deleteLater();
-  entries_ = new QWidget;
-  auto* rows = new QVBoxLayout(entries_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(kGrid_px);
-  column_->addWidget(entries_);
+  QVBoxLayout& rows = emptied();
   rows_.clear();
-  for (std::size_t pair = 0; pair < count; ++pair) rows_.push_back(addRow(pair));
+  for (std::size_t pair = 0; pair < count; ++pair) rows_.push_back(addRow(pair, rows));
 }
 
-PairList::Row PairList::addRow(std::size_t pair) {
+PairList::Row PairList::addRow(std::size_t pair, QVBoxLayout& rows) {
   const QString prefix = QStringLiteral("pair_%1_").arg(pair);
   Row row;
   auto* head = new QHBoxLayout;
@@ -99,9 +83,8 @@ PairList::Row PairList::addRow(std::size_t pair) {
   for (const BodyLandmark& each : landmarks_) onBody->addItem(nameOf(each));
   connect(onBody, QOverload<int>::of(&QComboBox::activated), this, [this, pair](int index) { chooseBody(pair, index); });
   places->addWidget(onBody, 1);
-  auto* rows = static_cast<QVBoxLayout*>(entries_->layout());
-  rows->addLayout(head);
-  rows->addLayout(places);
+  rows.addLayout(head);
+  rows.addLayout(places);
   return row;
 }
 

@@ -1,23 +1,22 @@
 #pragma once
 
-#include <QWidget>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "logic/landmark_pairs.h"
+#include "panel/list_field.h"
 
 class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QVBoxLayout;
 
 namespace ew::case_authoring {
 
 /// Pairs of places, one below the other: what the author calls it, where it is in the volume and on the body, and how far the two lie
 /// apart when the volume is placed by all of them.
-class PairList final : public QWidget {
+class PairList final : public EntryRows {
   Q_OBJECT
 
  public:
@@ -46,14 +45,12 @@ class PairList final : public QWidget {
     QComboBox* onBody = nullptr;
   };
   void remake(std::size_t count);
-  [[nodiscard]] Row addRow(std::size_t pair);
+  [[nodiscard]] Row addRow(std::size_t pair, QVBoxLayout& rows);
   void showBody(QComboBox& choice, const DraftPair& pair, bool asked) const;
   void chooseBody(std::size_t pair, int index);
 
   std::vector<BodyLandmark> landmarks_;
   std::vector<Row> rows_;
-  QVBoxLayout* column_ = nullptr;
-  QWidget* entries_ = nullptr;
 };
 
 }  // namespace ew::case_authoring
