@@ -158,8 +158,7 @@ TEST_F(AccessCommand, MakesAKeyAndAnExaminationForIt) {
                             "--report", folder_ / "r.json"});
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_NE(made.out.find("answers sealed"), std::string::npos);
-  for (const std::string& name : folder_.names())
-    EXPECT_EQ(name.find(".ew-examination"), std::string::npos) << "the scratch folder is left";
+  for (const std::string& name : folder_.names()) EXPECT_EQ(name.find(".echoweave-"), std::string::npos) << "the scratch folder is left";
   const auto imported = importBundle(folder_ / "friday.ewcase", libraryFolder());
   ASSERT_TRUE(imported) << imported.error();
   EXPECT_EQ(imported->id, readJson(folder_ / "r.json")["examination"]["id"]);

@@ -1,6 +1,5 @@
-// An author in the real window: makes cases from a sweep and from nothing, gives a volume, is warned of what looks real, sees what is
-// missing, publishes and exports; a trainee elsewhere imports it. EW_SCREENSHOTS=DIR keeps images of every step.
-#include <QAction>
+// An author in the real window: makes cases from a sweep and from nothing, gives a volume, is warned of what looks real.
+// EW_SCREENSHOTS=DIR keeps images of every step.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -12,9 +11,6 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScrollArea>
-#include <QScrollBar>
-#include <QSpinBox>
-#include <QTabWidget>
 #include <QToolButton>
 #include <QTranslator>
 #include <algorithm>
@@ -22,105 +18,27 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/io/volume_file.h"
-#include "ew/library/bundle.h"
 #include "ew/library/case.h"
 #include "ew/library/case_start.h"
-#include "ew/library/folder_lease.h"
 #include "ew/library/new_case.h"
 #include "ew/library/placing.h"
-#include "ew/library/published.h"
-#include "ew/library/publishing.h"
 #include "ew/ui_test_door/annotate.h"
 #include "ew/ui_test_door/start.h"
 #include "gui/support/answers.h"
+#include "gui/support/author_fixture.h"
 #include "gui/support/case_aside.h"
 #include "gui/support/screenshots.h"
-#include "gui/support/window_fixture.h"
 
 /// Outside of any namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace ew::ui::testing {
 
-class AuthoringTest : public WindowFixture {
+class AuthoringTest : public AuthorFixture {
   Q_OBJECT
 
   using json = nlohmann::json;
   int made_ = 0;
-
-  [[nodiscard]] CaseDocument& document() const { return window_->document(); }
-  [[nodiscard]] QWidget* panel() const { return window_->findChild<QWidget*>(QStringLiteral("casePanel")); }
-  template <class Widget>
-  [[nodiscard]] Widget* inPanel(const char* name) const {
-    return panel() != nullptr ? panel()->findChild<Widget*>(QLatin1String(name)) : nullptr;
-  }
-  [[nodiscard]] QAction* action(const QString& text) const {
-    for (QAction* each : window_->findChildren<QAction*>())
-      if (each->text().contains(text)) return each;
-    return nullptr;
-  }
-  [[nodiscard]] bool waitForRest() const {
-    return waitUntil([this] { return window_->isSettled(); });
-  }
-  void showWindow() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1280, 720);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
-    QApplication::setActiveWindow(window_.get());
-    session().frames().setAdaptive(false);
-    window_->openPlugins();
-    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
-  }
-  /// Opens a case in Author, with the Case panel in front.
-  void author(const QString& folder) {
-    QVERIFY(openCase(folder));
-    window_->setWorkspace(Workspace::author);
-    QTest::qWait(50);
-    QVERIFY(panel() != nullptr);
-  }
-  [[nodiscard]] QWidget* newCaseDialog() {
-    action(QStringLiteral("New case"))->trigger();
-    QWidget* dialog = nullptr;
-    if (!waitUntil([&] { return (dialog = topLevel("newCaseDialog")) != nullptr && dialog->isVisible(); })) return nullptr;
-    return dialog;
-  }
-  [[nodiscard]] static QWidget* topLevel(const char* name) {
-    for (QWidget* each : QApplication::topLevelWidgets())
-      if (each->objectName() == QLatin1String(name) && each->isVisible()) return each;
-    return nullptr;
-  }
-  /// Answers from which side the chosen volume was scanned, once that is asked.
-  static void chooseFront(const QWidget& dialog) {
-    auto* side = dialog.findChild<QComboBox*>(QStringLiteral("sourceSide"));
-    QVERIFY(waitUntil([&] { return side->isVisible(); }));
-    side->setCurrentIndex(side->findData(static_cast<int>(VolumeSide::front)));
-  }
-  /// Everything a case needs before it is published, but for what its volume and its start decide.
-  void fill() {
-    Case filled = withRights(*document().current(), {"Made by a test.", "CC0 1.0"});
-    filled.titleForTrainees = "Upper abdomen, routine";
-    filled.region = "upper abdomen";
-    filled.indication = "To be looked at.";
-    filled.findings = {"Nothing remarkable."};
-    filled.diagnosis = "Healthy.";
-    filled.difficulty = 1;
-    filled.startPose.emplace().probeToWorld = session().probeControl().pose().probeToWorld;
-    const auto edited = document().edit(filled, "Fill in", {});
-    QVERIFY2(edited, edited ? "" : edited.error().sentence().c_str());
-  }
-  [[nodiscard]] QWidget* publishDialog() {
-    inPanel<QPushButton>("publishCase")->click();
-    QWidget* dialog = nullptr;
-    if (!waitUntil([&] { return (dialog = topLevel("publishDialog")) != nullptr; })) return nullptr;
-    if (!waitUntil([&] { return dialog->findChild<QToolButton*>(QStringLiteral("checkItem_0")) != nullptr; })) return nullptr;
-    return dialog;
-  }
-  [[nodiscard]] static QToolButton* itemFor(const QWidget& dialog, const QString& field) {
-    for (auto* each : dialog.findChildren<QToolButton*>())
-      if (each->property("field").toString() == field) return each;
-    return nullptr;
-  }
 
  private Q_SLOTS:
   void initTestCase() { initTranslations(); }
@@ -404,149 +322,6 @@ class AuthoringTest : public WindowFixture {
     QVERIFY(waitForRest());
     QVERIFY(!(session().console().knobs() == before));
     QCOMPARE(window_->bodyMark().offered().front()->id, bodyMarksOf(*document().current()).front());
-  }
-
-  void theListBeforePublishingLeadsToItsFieldsAndTheCaseIsPublishedExportedAndImported() {
-    showWindow();
-    const QString folder = files_.writeCase(QStringLiteral("published"));
-    author(folder);
-    QWidget* dialog = publishDialog();
-    QVERIFY(dialog != nullptr);
-    auto* now = dialog->findChild<QPushButton*>(QStringLiteral("publishNow"));
-    QVERIFY(!now->isEnabled());
-    keepScreenshot(*dialog, "publish-1-missing");
-    QVERIFY(itemFor(*dialog, QStringLiteral("findings")) != nullptr);
-    auto* head = inPanel<QToolButton>("head_findings");
-    if (head->isChecked()) head->click();
-    QVERIFY(!inPanel<QPlainTextEdit>("findings")->isVisible());
-    itemFor(*dialog, QStringLiteral("findings"))->click();
-    QVERIFY(waitUntil([this] { return inPanel<QPlainTextEdit>("findings")->isVisible(); }));
-    // What is typed next is for the field, and not for a button of the list, which stays in sight: a space pressed Export.
-    auto* findings = inPanel<QPlainTextEdit>("findings");
-    QVERIFY2(waitUntil([&] { return QApplication::focusWidget() == findings; }),
-             QApplication::focusWidget() != nullptr ? qPrintable(QApplication::focusWidget()->objectName()) : "nothing has the keys");
-    QVERIFY(QApplication::activeWindow() == window_.get() && dialog->isVisible());
-    {
-      const Answers nothing({});
-      QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("No stone."));
-      QVERIFY2(nothing.asked.isEmpty(), qPrintable(nothing.asked.join(QLatin1Char(' '))));
-    }
-    QCOMPARE(findings->toPlainText(), QStringLiteral("No stone."));
-    QVERIFY2(waitUntil([this] { return inPanel<QLabel>("missing_case")->text().contains(QStringLiteral("missing")); }),
-             qPrintable(inPanel<QLabel>("missing_case")->text()));
-    keepScreenshot(*window_, "publish-2-led");
-    fill();
-    QVERIFY(waitUntil([&] { return now->isEnabled(); }));
-    keepScreenshot(*dialog, "publish-3-ready");
-    now->click();
-    auto* result = dialog->findChild<QLabel*>(QStringLiteral("publishResult"));
-    QVERIFY(waitUntil([&] { return !result->isHidden(); }));
-    QVERIFY2(result->text().startsWith(QStringLiteral("Published as revision 1")), qPrintable(result->text()));
-    QVERIFY(!document().hasUnsavedChanges());
-    const auto latest = latestPublished(libraryFolder(), document().current()->id);
-    QVERIFY(latest.has_value());
-    keepScreenshot(*dialog, "publish-4-done");
-    now->click();
-    QVERIFY(waitUntil([&] { return result->text().startsWith(QStringLiteral("Nothing has changed")); }));
-
-    const QString bundle = files_.path(QStringLiteral("out.ewcase"));
-    auto answers = std::make_unique<Answers>(std::map<QString, Answers::Answer>{{QStringLiteral("fileDialog"), type(bundle)}});
-    dialog->findChild<QPushButton*>(QStringLiteral("exportCase"))->click();
-    answers.reset();  // it would turn down the questions that follow
-    QVERIFY(waitUntil([&] { return result->text().startsWith(QStringLiteral("Revision 1 was exported")); }));
-    QVERIFY(verifyBundle(bundle.toStdString()).has_value());
-    // The name is completed before it is asked about: "final" is "final.ewcase", which somebody has already.
-    const QString others = files_.path(QStringLiteral("final.ewcase"));
-    QVERIFY(writeFileSafely(others.toStdString(), "precious"));
-    {
-      const Answers keep({{QStringLiteral("fileDialog"), type(files_.path(QStringLiteral("final")))},
-                          {QStringLiteral("replaceQuestion"), press(QMessageBox::Cancel)}});
-      dialog->findChild<QPushButton*>(QStringLiteral("exportCase"))->click();
-      QCOMPARE(keep.asked, (QStringList{QStringLiteral("fileDialog"), QStringLiteral("replaceQuestion")}));
-    }
-    QFile still(others);
-    QVERIFY(still.open(QIODevice::ReadOnly) && still.readAll() == "precious");
-    dialog->close();
-    window_.reset();
-
-    // Elsewhere: another home, a trainee.
-    qputenv("ECHOWEAVE_LIBRARY", files_.path(QStringLiteral("elsewhere")).toUtf8());
-    qputenv("ECHOWEAVE_CASES", files_.path(QStringLiteral("elsewhere/cases")).toUtf8());
-    showWindow();
-    window_->open(bundle);
-    QVERIFY(waitUntil([this] { return latestPublished(libraryFolder(), "window-test").has_value() && window_->isSettled(); }));
-    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
-    QVERIFY2(window_->messages().text().contains(QStringLiteral("revision 1")), qPrintable(window_->messages().text()));
-    QVERIFY(!window_->messages().text().contains(QStringLiteral("Window test")));  // a trainee reads the title for trainees
-    auto* cards = find<QWidget>("caseCards");
-    QVERIFY(cards != nullptr && cards->isVisible());
-    auto* list = qobject_cast<CardView*>(cards);
-    QVERIFY(waitUntil([&] { return list->currentIndex().isValid(); }));
-    QCOMPARE(list->currentIndex().data().toString(), QStringLiteral("Upper abdomen, routine"));
-    keepScreenshot(*window_, "imported");
-    window_->open(bundle);
-    QVERIFY(waitUntil([this] { return window_->messages().text().contains(QStringLiteral("already")); }));
-
-    // Published cases are saved as one's own.
-    QVERIFY(openCase(QString::fromStdString(latestPublished(libraryFolder(), "window-test")->folder.string())));
-    window_->setWorkspace(Workspace::author);
-    QTest::qWait(50);
-    inPanel<QLineEdit>("title")->setText(QString());
-    QTest::keyClicks(inPanel<QLineEdit>("title"), QStringLiteral("Mine"));
-    const auto refused = document().save();
-    QVERIFY(!refused && refused.error().sentence().find("Published cases") != std::string::npos);
-    Answers asked({{QStringLiteral("caseFolderDialog"), [](QWidget& shown) {
-                      keepScreenshot(shown, "published-copy");
-                      shown.findChild<QLineEdit*>(QStringLiteral("caseFolderName"))->setText(QStringLiteral("mine"));
-                      shown.findChild<QPushButton*>(QStringLiteral("saveCaseFolder"))->click();
-                    }}});
-    inPanel<QPushButton>("save")->click();
-    QVERIFY(asked.asked.contains(QStringLiteral("caseFolderDialog")));
-    QCOMPARE(loadCaseAside(ownCasesFolder() / "mine")->title, std::string("Mine"));
-    QVERIFY(verifyBundle(bundle.toStdString()).has_value());
-    qputenv("ECHOWEAVE_LIBRARY", files_.path(QStringLiteral("library")).toUtf8());
-    qputenv("ECHOWEAVE_CASES", files_.path(QStringLiteral("own cases")).toUtf8());
-  }
-
-  void aDamagedBundleIsRefusedInASentenceAndTheLibraryStays() {
-    const QString bundle = files_.path(QStringLiteral("broken.ewcase"));
-    QVERIFY(writeFileSafely(bundle.toStdString(), "this is no bundle").has_value());
-    showWindow();
-    const auto before = listPublished(libraryFolder());
-    window_->open(bundle);
-    QVERIFY(waitUntil([this] { return window_->messages().isError(); }));
-    QVERIFY(window_->messages().text().contains(QStringLiteral("broken.ewcase")));
-    QVERIFY(listPublished(libraryFolder()) == before);
-  }
-
-  void whatSomebodyElseEditsIsNotEditedHereButACopyIs() {
-    const QString folder = files_.writeCase(QStringLiteral("theirs"));
-    showWindow();
-    author(folder);
-    auto theirs = FolderLease::take(folder.toStdString());
-    QVERIFY(theirs.has_value());
-    auto* title = inPanel<QLineEdit>("title");
-    title->setFocus();
-    title->end(false);
-    QTest::keyClicks(title, QStringLiteral("!"));
-    QCOMPARE(document().current()->title, std::string("Window test"));
-    QCOMPARE(title->text(), QStringLiteral("Window test"));
-    auto* row = inPanel<QWidget>("takenRow");
-    QVERIFY(row->isVisible());
-    QVERIFY(inPanel<QLabel>("takenWhy")->text().contains(QStringLiteral("being edited by")));
-    keepScreenshot(*window_, "taken");
-    Answers answers({{QStringLiteral("caseFolderDialog"), [](QWidget& shown) {
-                        shown.findChild<QLineEdit*>(QStringLiteral("caseFolderName"))->setText(QStringLiteral("a copy"));
-                        shown.findChild<QPushButton*>(QStringLiteral("saveCaseFolder"))->click();
-                      }}});
-    inPanel<QPushButton>("openCopy")->click();
-    QVERIFY(answers.asked.contains(QStringLiteral("caseFolderDialog")));
-    QVERIFY(!row->isVisible());
-    title->end(false);
-    QTest::keyClicks(title, QStringLiteral("!"));
-    QCOMPARE(document().current()->title, std::string("Window test!"));
-    QVERIFY(document().save().has_value());
-    QCOMPARE(loadCaseAside(folder.toStdString())->title, std::string("Window test"));
   }
 
   void theStartPageOffersToBeginACase() {
