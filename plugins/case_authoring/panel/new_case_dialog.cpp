@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ew/library/folders.h"
 #include "ew/sdk/window.h"
 #include "ew/sdk/workspaces.h"
 #include "ew/widgets/fields.h"
@@ -44,11 +45,6 @@ QString folderNameOf(const QString& title) {
   name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral("-"));
   name.remove(QRegularExpression(QStringLiteral("^-+|-+$")));
   return name.left(60);
-}
-
-bool isTaken(const fs::path& folder) {
-  std::error_code failed;
-  return fs::exists(folder, failed) && !(fs::is_directory(folder, failed) && fs::is_empty(folder, failed));
 }
 
 QFormLayout* formOf(QWidget* page) {

@@ -10,12 +10,6 @@
 namespace ew::lessons {
 namespace {
 
-/// Whether the step is worked on with probe and console alone: nothing else would tell that somebody did it.
-bool isScanned(const LessonTask& task) {
-  return std::holds_alternative<PlaneTask>(task) || std::holds_alternative<SweepTask>(task) || std::holds_alternative<SettingsTask>(task) ||
-         std::holds_alternative<FreeTask>(task);
-}
-
 /// Whether a hand has moved the probe or set something: more than a tracker trembles, and not the quality that moving changes by itself.
 bool isOther(const ScanState& before, const ScanState& now) {
   constexpr double kMoved_mm = 1.0;

@@ -171,11 +171,9 @@ void ImageView::paintHead(QPainter& painter) const {
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
   drawMarkOf(painter, who, QPointF(2.0 * kGrid_px, 0.5 * headHeight()), scaled(5));
-  QFont bold = font();
-  bold.setWeight(QFont::DemiBold);
-  painter.setFont(bold);
+  painter.setFont(bold(font()));
   const QString word = wordOf(who);
-  const int wide = QFontMetrics(bold).horizontalAdvance(word);
+  const int wide = painter.fontMetrics().horizontalAdvance(word);
   painter.setPen(colour);
   painter.drawText(QRect(4 * kGrid_px, 0, wide + 2, headHeight()), Qt::AlignLeft | Qt::AlignVCenter, word);
   painter.setFont(smallFont());

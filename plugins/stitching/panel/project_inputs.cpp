@@ -1,6 +1,9 @@
 #include "panel/project_inputs.h"
 
+#include <QDropEvent>
+#include <QMimeData>
 #include <QPointer>
+#include <QUrl>
 #include <algorithm>
 #include <chrono>
 #include <system_error>
@@ -125,6 +128,15 @@ ProjectInputs::ProjectInputs(sdk::Host& host, Notices& notices, ProjectDocument&
     : host_(host), notices_(notices), document_(document) {}
 
 const StitchProject& ProjectInputs::project() const { return document_.project(); }
+
+void ProjectInputs::addDropped(QDropEvent& event) {
+  std::vector<fs::path> files;
+  for (const QUrl& url : event.mimeData()->urls())
+    if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
+  if (files.empty()) return;
+  event.acceptProposedAction();
+  addFiles(files);
+}
 
 void ProjectInputs::addFiles(const std::vector<fs::path>& files) {
   Q_EMIT notices_.problem({});

@@ -15,6 +15,8 @@
 #include "ew/sdk/host.h"
 #include "ew/stitching/project.h"
 
+class QDropEvent;
+
 namespace ew::stitching {
 
 class Notices;
@@ -30,6 +32,7 @@ class ProjectInputs final : public QObject {
 
   /// Volumes, sweeps, or one project (which takes the place of an empty one, else its volumes are added).
   void addFiles(const std::vector<std::filesystem::path>& files);
+  void addDropped(QDropEvent& event);
   void readVolumes();     ///< those of the project that are not there yet
   void forgetFailures();  ///< and so tries again
   void keep(const ProjectVolume& line, std::shared_ptr<const Volume> volume);

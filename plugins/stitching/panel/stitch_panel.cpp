@@ -16,7 +16,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -479,13 +478,6 @@ void StitchPanel::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
-void StitchPanel::dropEvent(QDropEvent* event) {
-  std::vector<fs::path> files;
-  for (const auto& url : event->mimeData()->urls())
-    if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
-  if (files.empty()) return;
-  event->acceptProposedAction();
-  inputs_.addFiles(files);
-}
+void StitchPanel::dropEvent(QDropEvent* event) { inputs_.addDropped(*event); }
 
 }  // namespace ew::stitching

@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -538,13 +537,6 @@ void StitchStage::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
-void StitchStage::dropEvent(QDropEvent* event) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& url : event->mimeData()->urls())
-    if (url.isLocalFile()) files.emplace_back(url.toLocalFile().toStdString());
-  if (files.empty()) return;
-  event->acceptProposedAction();
-  inputs_.addFiles(files);
-}
+void StitchStage::dropEvent(QDropEvent* event) { inputs_.addDropped(*event); }
 
 }  // namespace ew::stitching

@@ -3,6 +3,7 @@
 #include "csv.h"
 #include "ew/core/numbers.h"
 #include "ew/measurement/findings.h"
+#include "quantity_json.h"
 
 namespace ew::measurement {
 namespace {
@@ -12,13 +13,6 @@ using nlohmann::ordered_json;
 constexpr std::string_view kSimulation = "simulation, not for diagnosis";
 
 bool isStrip(std::uint64_t image) { return image >= kStripImage; }
-
-ordered_json jsonOf(const Quantity& quantity) {
-  ordered_json made = {{"value", quantity.value}};
-  if (quantity.uncertainty > 0.0) made["uncertainty"] = quantity.uncertainty;
-  made["unit"] = symbolOf(quantity.unit);
-  return made;
-}
 
 ordered_json placeOf(const Findings& findings, std::uint64_t image, int number) {
   ordered_json made;

@@ -4,6 +4,7 @@
 #include "ew/core/numbers.h"
 #include "ew/core/word_table.h"
 #include "ew/measurement/worksheet.h"
+#include "quantity_json.h"
 
 namespace ew::measurement {
 namespace {
@@ -14,13 +15,6 @@ constexpr int kWorksheetFormat = 1;
 
 constexpr WordTable<Several, 3> kSeveralWords{{{"mean", Several::mean}, {"last", Several::last}, {"selected", Several::selected}}};
 const char* wordOf(Several several) { return wordIn(kSeveralWords, several); }
-
-ordered_json jsonOf(const Quantity& quantity) {
-  ordered_json made = {{"value", quantity.value}};
-  if (quantity.uncertainty > 0.0) made["uncertainty"] = quantity.uncertainty;
-  made["unit"] = symbolOf(quantity.unit);
-  return made;
-}
 
 ordered_json jsonOf(const WorksheetRow& row, std::string_view language) {
   ordered_json made = {{"label", row.label}};

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "ew/core/json_fields.h"
 #include "ew/core/simd.h"
+#include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 
 namespace ew {
@@ -18,10 +18,7 @@ constexpr const char* kFile = "layouts.json";
 constexpr int kFormat = 3;
 
 nlohmann::json readKept(const std::filesystem::path& folder) {
-  const auto text = readTextFile(folder / kFile, 1u << 16);
-  if (!text) return nlohmann::json::object();
-  auto kept = parseJson(*text, verbatim(kFile));
-  return kept && kept->is_object() ? *kept : nlohmann::json::object();
+  return readJsonFile(folder / kFile, verbatim(kFile), 1u << 16).value_or(nlohmann::json::object());
 }
 
 /// A processor, the instruction set in use, and the power of two of the bytes.

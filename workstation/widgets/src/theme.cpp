@@ -129,5 +129,9 @@ UsualTextSize::~UsualTextSize() { keepTextSize(before_percent_); }
 
 QFont textFont() { return fontOf(kTextSize_px); }
 QFont smallFont() { return fontOf(kSmallSize_px); }
+QFont bold(QFont font) {
+  font.setWeight(QFont::DemiBold);
+  return font;
+}
 
 }  // namespace ew

@@ -18,12 +18,6 @@ bool hasAnswer(const LessonStep& step, const StepOutcome& outcome) {
   return !std::holds_alternative<WatchTask>(step.task) || !outcome.answerJson().is_null();
 }
 
-/// What judging a step stands on beside its answer.
-bool needsScan(const LessonTask& task) {
-  return std::holds_alternative<PlaneTask>(task) || std::holds_alternative<SweepTask>(task) || std::holds_alternative<SettingsTask>(task) ||
-         std::holds_alternative<FreeTask>(task);
-}
-
 /// One attempt's way through all that counts.
 class Scoring {
  public:
@@ -98,7 +92,7 @@ class Scoring {
   /// @param passed as the work says; @return false: as it was judged in the lesson
   bool judgeAnew(const LessonStep& step, const ScanLog* scan, StepOutcome& outcome, std::optional<PassedVoxels>& passed) {
     const auto ground = ground_.caseOf(step);
-    if (!ground || !hasAnswer(step, outcome) || (scan == nullptr && needsScan(step.task))) return false;
+    if (!ground || !hasAnswer(step, outcome) || (scan == nullptr && isScanned(step.task))) return false;
     const auto work = workOf(step, ground);
     if (!work) {
       score_.notes.push_back(say<"The step '%1' keeps the verdict it had: %2">(step.id, work.error().message));

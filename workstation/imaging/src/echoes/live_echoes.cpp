@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/spread_bits.h"
 #include "ew/imaging/effects/noise.h"
 #include "line_kernels.h"
 
@@ -12,13 +13,6 @@ namespace {
 constexpr double kHazeReach_mm = 8.0;
 constexpr int kLobesOnASide = 4;
 constexpr double kNoHaze_db = -80.0;
-
-/// Finalizer of SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): a bijection that spreads every bit.
-std::uint64_t spread(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
-}
 
 }  // namespace
 
@@ -157,7 +151,7 @@ void LiveEchoes::addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, B
           static_cast<float>(std::sqrt(0.5 * std::pow(10.0, 0.1 * level_db) * layout_.grid.sampleSpacing_mm));
     }
   }
-  noiseKey_ = spread(frameNumber + 0x9e3779b97f4a7c15ULL);
+  noiseKey_ = spreadBits(frameNumber + 0x9e3779b97f4a7c15ULL);
 }
 
 void LiveEchoes::addHaze(int line, std::span<float> out) {
@@ -187,7 +181,7 @@ void LiveEchoes::takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> e
         std::copy(own, own + 2 * layout_.columns, mine.line.begin());
         addHaze(first + n, mine.line);
         if (noiseKey_) {
-          const std::uint64_t key = spread(*noiseKey_ + static_cast<std::uint64_t>(first + n) * 0x9e3779b97f4a7c15ULL);
+          const std::uint64_t key = spreadBits(*noiseKey_ + static_cast<std::uint64_t>(first + n) * 0x9e3779b97f4a7c15ULL);
           addComplexNoise(key, noise_.data(), layout_.columns, mine.line.data());
         }
         float* levels = mine.levels.data() + static_cast<std::ptrdiff_t>(n) * samples;

@@ -5,16 +5,15 @@
 #include <cstdint>
 #include <numbers>
 
+#include "effects/spread_bits.h"
+
 namespace ew {
 namespace {
 
 /// A number -0.5..0.5 that looks random but is the same for the same cycle.
 double unevenness(long long cycle) {
-  auto z = static_cast<std::uint64_t>(cycle) + 0x9e3779b97f4a7c15ull;  // the finaliser of splitmix64
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-  z ^= z >> 31;
-  return static_cast<double>(z >> 11) * 0x1p-53 - 0.5;
+  const std::uint64_t bits = detail::spreadBits(static_cast<std::uint64_t>(cycle) + 0x9e3779b97f4a7c15ULL);
+  return static_cast<double>(bits >> 11) * 0x1p-53 - 0.5;
 }
 
 double beginningOf_s(const BodyRhythm& rhythm, long long cycle) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "effects/grey_scale.h"
+#include "effects/spread_bits.h"
 
 // The instruction sets left out would only repeat the code of a neighbour.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
@@ -71,13 +72,6 @@ namespace {
 
 HWY_EXPORT(addNoiseToRow);
 
-/// Finalizer of SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): a bijection that spreads every bit.
-std::uint64_t spread(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
-}
-
 }  // namespace
 
 std::vector<float> noiseLevels(const NoiseEffect& effect, double carrier_hz, double recordedDynamicRange_db, const BeamGrid& grid) {
@@ -100,7 +94,7 @@ void addNoise(const std::vector<float>& levels, double greyPerDb, std::uint64_t 
     const float level = levels[static_cast<std::size_t>(firstRow + y)];
     if (!(level > unseen)) continue;
     const auto gridRow = static_cast<std::uint64_t>(firstRow + y);
-    const std::uint64_t key = spread(spread(frameNumber + 0x9e3779b97f4a7c15ULL) + gridRow * 0x9e3779b97f4a7c15ULL);
+    const std::uint64_t key = detail::spreadBits(detail::spreadBits(frameNumber + 0x9e3779b97f4a7c15ULL) + gridRow * 0x9e3779b97f4a7c15ULL);
     const float unitLevel = level + perDoubling * static_cast<float>(std::log2(std::log(2.0)));
     HWY_DYNAMIC_DISPATCH(addNoiseToRow)(key, unitLevel, perDoubling, echoes.row(y), echoes.width);
   }

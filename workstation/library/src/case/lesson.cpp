@@ -308,6 +308,11 @@ json jsonOf(const Lesson& lesson) {
 
 std::string_view taskWord(const LessonTask& task) { return kTaskWords[task.index()]; }
 
+bool isScanned(const LessonTask& task) {
+  return std::holds_alternative<PlaneTask>(task) || std::holds_alternative<SweepTask>(task) || std::holds_alternative<SettingsTask>(task) ||
+         std::holds_alternative<FreeTask>(task);
+}
+
 std::optional<LessonTask> taskOfWord(std::string_view word) {
   static const std::array<LessonTask, kTaskWords.size()> tasks = {ReadingTask{}, WatchTask{},    PlaneTask{},  SweepTask{}, MeasureTask{},
                                                                   PointTask{},   SettingsTask{}, AnswerTask{}, FreeTask{}};

@@ -81,6 +81,11 @@ fs::path libraryFolder() {
   return "EchoWeave";
 }
 
+bool isTaken(const fs::path& folder) {
+  std::error_code failed;
+  return fs::exists(folder, failed) && !(fs::is_directory(folder, failed) && fs::is_empty(folder, failed));
+}
+
 fs::path ownCasesFolder() {
   if (const std::string chosen = environment("ECHOWEAVE_CASES"); !chosen.empty()) return chosen;
   return libraryFolder() / "cases";

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ew/core/json_fields.h"
 #include "ew/core/word_table.h"
+#include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 
 namespace ew {
@@ -25,10 +25,7 @@ constexpr WordTable<PreparationStep, 5> kPreparationStepWords{{{"patient", Prepa
 const char* wordOf(PreparationStep step) { return wordIn(kPreparationStepWords, step); }
 
 nlohmann::json readKept(const std::filesystem::path& folder) {
-  const auto text = readTextFile(folder / kSpeedFile, 1u << 16);
-  if (!text) return nlohmann::json::object();
-  auto kept = parseJson(*text, verbatim(kSpeedFile));
-  return kept && kept->is_object() ? *kept : nlohmann::json::object();
+  return readJsonFile(folder / kSpeedFile, verbatim(kSpeedFile), 1u << 16).value_or(nlohmann::json::object());
 }
 
 std::optional<double> keptRate(const nlohmann::json& kept, const char* name) {

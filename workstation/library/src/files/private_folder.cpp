@@ -25,10 +25,16 @@ bool isOwn(const fs::path& folder) {
 
 }  // namespace
 
-std::optional<PrivateFolder> PrivateFolder::make() {
-  std::string name = (temporaryFiles() / "echoweave-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) return std::nullopt;
-  return PrivateFolder(name);
+std::optional<PrivateFolder> PrivateFolder::make() { return makeNamed((temporaryFiles() / "echoweave-XXXXXX").string()); }
+
+std::optional<PrivateFolder> PrivateFolder::makeBeside(const fs::path& file) {
+  std::error_code failed;
+  return makeNamed((fs::absolute(file, failed).parent_path() / ".echoweave-XXXXXX").string());
+}
+
+std::optional<PrivateFolder> PrivateFolder::makeNamed(std::string pattern) {
+  if (::mkdtemp(pattern.data()) == nullptr) return std::nullopt;
+  return PrivateFolder(std::move(pattern));
 }
 
 PrivateFolder::~PrivateFolder() {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace ew {
@@ -12,6 +13,8 @@ class PrivateFolder {
  public:
   /// Nothing when there is no room for temporary files.
   [[nodiscard]] static std::optional<PrivateFolder> make();
+  /// Beside a file that is to be written instead: on the same medium, which has to have the room anyway.
+  [[nodiscard]] static std::optional<PrivateFolder> makeBeside(const std::filesystem::path& file);
   ~PrivateFolder();
   PrivateFolder(PrivateFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
   PrivateFolder& operator=(PrivateFolder&& other) noexcept {
@@ -22,6 +25,7 @@ class PrivateFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
+  [[nodiscard]] static std::optional<PrivateFolder> makeNamed(std::string pattern);
   explicit PrivateFolder(std::filesystem::path path) : path_(std::move(path)) {}
   std::filesystem::path path_;
 };

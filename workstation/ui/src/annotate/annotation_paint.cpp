@@ -23,11 +23,7 @@ void paintText(QPainter& painter, const QPointF& at, const std::string& text, co
 
 }  // namespace
 
-QFont annotationFont() {
-  QFont font = textFont();
-  font.setWeight(QFont::DemiBold);
-  return font;
-}
+QFont annotationFont() { return bold(textFont()); }
 
 QSizeF annotationSize(const std::string& text) {
   const QFontMetricsF metrics(annotationFont());

@@ -16,16 +16,8 @@
 #include "ew/widgets/words.h"
 
 namespace ew::ui {
-namespace {
 
 namespace fs = std::filesystem;
-
-bool isTaken(const fs::path& folder) {
-  std::error_code failed;
-  return fs::exists(folder, failed) && !(fs::is_directory(folder, failed) && fs::is_empty(folder, failed));
-}
-
-}  // namespace
 
 fs::path CaseFolderDialog::library() {
   const QString chosen = QSettings().value(QStringLiteral("ownCases")).toString();

@@ -65,9 +65,7 @@ CombineDialog::CombineDialog(Calipers& calipers, QWidget* parent) : QDialog(pare
   rows->addLayout(form);
   result_ = new QLabel;
   result_->setObjectName(QStringLiteral("combinedValue"));
-  QFont bold = result_->font();
-  bold.setWeight(QFont::DemiBold);
-  result_->setFont(bold);
+  result_->setFont(bold(result_->font()));
   rows->addWidget(result_);
   how_ = new QLabel;
   how_->setObjectName(QStringLiteral("combinedHow"));

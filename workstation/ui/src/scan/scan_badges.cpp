@@ -12,9 +12,7 @@ int badgeHeight_px() { return scaled(26); }
 
 void paintFrozenBadge(QPainter& painter, int width, const QString& word) {
   const Theme theme = scanTheme();
-  QFont font = textFont();
-  font.setWeight(QFont::DemiBold);
-  painter.setFont(font);
+  painter.setFont(bold(textFont()));
   const int flake_px = scaled(16);
   const int width_px = painter.fontMetrics().horizontalAdvance(word) + 24 + flake_px + 6;
   const QRect badge(width - 16 - width_px, 8, width_px, badgeHeight_px());

@@ -99,8 +99,7 @@ void paintLoss(QPainter& painter, const QRect& shown, const TrackingReport& repo
   if (mayMove)
     body += QLatin1Char('\n') +
             lossText(QT_TRANSLATE_NOOP("ew::ui::TrackingOverlay", "Or go on with the mouse: drag the probe in the image or on the body."));
-  QFont strong = textFont();
-  strong.setWeight(QFont::DemiBold);
+  const QFont strong = bold(textFont());
   const int icon_px = scaled(28), gap_px = kGrid_px;
   const int room_px = std::min(scaled(kMostOfNote_px), shown.width() - 2 * (kBorder_px + 4 * gap_px));
   const int words_px = room_px - icon_px - gap_px;

@@ -79,9 +79,7 @@ void CardView::paintEvent(QPaintEvent* event) {
     const int y = static_cast<int>(n) * headHeight_px() + rowsBefore(n) * step - top;
     const int first_y = y + headHeight_px();
     if (headHeight_px() > 0 && QRect(0, y, viewport()->width(), headHeight_px()).intersects(event->rect())) {
-      QFont bold = font();
-      bold.setWeight(QFont::DemiBold);
-      painter.setFont(bold);
+      painter.setFont(bold(font()));
       painter.setPen(currentTheme().text);
       painter.drawText(QRect(0, y, viewport()->width(), headHeight_px()), static_cast<int>(Qt::AlignVCenter | Qt::AlignLeading),
                        tr("%1 (%2)").arg(kindWords(sections[n].kind), locale().toString(sections[n].count)));

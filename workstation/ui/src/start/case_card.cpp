@@ -14,12 +14,6 @@ constexpr int kTitleLines = 2;
 constexpr int kIndicationLines = 2;
 constexpr int kBar_px = 3;
 
-QFont titleFont() {
-  QFont font = textFont();
-  font.setWeight(QFont::DemiBold);
-  return font;
-}
-
 /// A fan drawn in the accent's tone, for a case without an image: shape, not data.
 void paintFan(QPainter& painter, const QRect& box) {
   const Theme theme = scanTheme();
@@ -125,7 +119,7 @@ QRect lessonsRect(const QRect& box, const CaseRow& row, Qt::LayoutDirection dire
 }
 
 int cardHeight_px() {
-  const QFontMetrics title(titleFont()), small(smallFont());
+  const QFontMetrics title(bold(textFont())), small(smallFont());
   return 2 * kCardMargin_px + kCardImage_px + 8 + kTitleLines * title.lineSpacing() + (2 + kIndicationLines) * small.lineSpacing() + 16;
 }
 
@@ -142,7 +136,7 @@ void paintCard(QPainter& painter, const QRect& box, const CardLook& look) {
   if (const QRect lessons = lessonsRect(box, *look.row, look.direction); !lessons.isEmpty())
     paintLessons(painter, lessons, lessonsText(*look.row), look.isLessonsUnderMouse);
   int y = inside.top() + kCardImage_px + 8;
-  painter.setFont(titleFont());
+  painter.setFont(bold(textFont()));
   painter.setPen(theme.text);
   y = paintText(painter, QRect(inside.left(), y, inside.width(), 0), kTitleLines, words(look.row->title), look.direction) + 4;
   painter.setFont(smallFont());

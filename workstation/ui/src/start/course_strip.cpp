@@ -182,11 +182,7 @@ QWidget* CourseStrip::lessonRow(const CourseStep& step, int number, bool isNext)
   texts->setSpacing(0);
   auto* title = label("courseLessonTitle", !step.isThere());
   title->setText(tr("%1. %2").arg(number).arg(step.isThere() ? words(step.title) : words(step.lesson.lessonId)));
-  if (isNext) {
-    QFont bold = title->font();
-    bold.setWeight(QFont::DemiBold);
-    title->setFont(bold);
-  }
+  if (isNext) title->setFont(bold(title->font()));
   texts->addWidget(title);
   auto* state = label("courseLessonState", true);
   state->setText(

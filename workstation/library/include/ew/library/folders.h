@@ -14,6 +14,8 @@ namespace ew {
 [[nodiscard]] bool isShipped(const std::filesystem::path& folder);
 /// The user's library (published.h says what is in it): $ECHOWEAVE_LIBRARY, else ~/EchoWeave. It need not be there yet.
 [[nodiscard]] std::filesystem::path libraryFolder();
+/// Whether something is there that a new case must not be laid into; an empty folder may be.
+[[nodiscard]] bool isTaken(const std::filesystem::path& folder);
 /// Where a user's own cases are kept unless another folder is chosen: $ECHOWEAVE_CASES, else cases in the library. It need not be there
 /// yet.
 [[nodiscard]] std::filesystem::path ownCasesFolder();

@@ -121,6 +121,8 @@ using LessonTask = std::variant<ReadingTask, WatchTask, PlaneTask, SweepTask, Me
 /// "settings", "answer", "free".
 [[nodiscard]] std::string_view taskWord(const LessonTask& task);
 [[nodiscard]] std::optional<LessonTask> taskOfWord(std::string_view word);
+/// Whether the step is worked on with probe and console alone: nothing else would tell that somebody did it.
+[[nodiscard]] bool isScanned(const LessonTask& task);
 
 /// Settings a step can ask for, each a knob with its unit.
 inline constexpr std::string_view kLessonSettings[] = {"depth_mm", "gain_db", "dynamic_range_db", "focus_mm"};

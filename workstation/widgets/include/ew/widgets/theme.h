@@ -35,6 +35,7 @@ inline constexpr int kTextSize_px = 13;   ///< the larger of the two text sizes,
 inline constexpr int kSmallSize_px = 12;  ///< the smaller one
 [[nodiscard]] QFont textFont();
 [[nodiscard]] QFont smallFont();
+[[nodiscard]] QFont bold(QFont font);  ///< in the weight of headings
 
 [[nodiscard]] int textSize_percent();
 /// A size that holds text: so many pixels at 100 %.
