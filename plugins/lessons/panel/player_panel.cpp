@@ -8,6 +8,7 @@
 #include <QVariant>
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "ew/assessment/attempt_result.h"
 #include "ew/assessment/repetition_record.h"
@@ -120,7 +121,11 @@ PlayerPanel::PlayerPanel(sdk::Host& host, std::function<void(bool)> working, QWi
                 player_->leave();
                 exercises_->leave();
                 const bool isLaunched = !launchOfEnvironment().empty() && !std::exchange(hasBegunLaunched_, true);
-                goOn(item, isLaunched ? Asked::byLaunch : Asked::byWindow);
+                const Asked asked = isLaunched ? Asked::byLaunch : Asked::byWindow;
+                if (isListing_)
+                  askedMeanwhile_.emplace(item, asked);
+                else
+                  goOn(item, asked);
               })};
   showCase();
 }
@@ -137,6 +142,7 @@ void PlayerPanel::showCase() {
   const std::vector<Lesson> before = std::move(lessons_);
   const std::filesystem::path folderBefore = case_ ? case_->folder : std::filesystem::path();
   case_ = host_.cases().forPractice();
+  if (!case_ || case_->folder != folderBefore) askedMeanwhile_.reset();
   lessons_.clear();
   if (case_) {
     auto lessons = lessonsOf(*case_);
@@ -160,9 +166,11 @@ void PlayerPanel::stop() {
 
 void PlayerPanel::showLessons() {
   const int mine = ++listings_;
+  isListing_ = false;
   if (!case_ || (lessons_.empty() && !ExerciseCard::couldAsk(*case_))) return pages_->setCurrentIndex(kEmpty);
   if (pages_->currentIndex() != kList || list_->property(kListedFolder).toString() != words(case_->folder.string()))
     pages_->setCurrentIndex(kReading);
+  isListing_ = true;
   auto read = std::make_shared<Listing>();
   host_.jobs().start(
       tr("Reading your attempts").toStdString(),
@@ -172,10 +180,16 @@ void PlayerPanel::showLessons() {
         return {};
       },
       [panel = QPointer<PlayerPanel>(this), read, mine](const Result<void>& done) {
-        if (!panel || panel->listings_ != mine || panel->isAtWork()) return;
-        if (!done && done.error().code != ErrorCode::cancelled) panel->fail(done.error());
-        if (done) panel->showListing(*read);
+        if (panel && panel->listings_ == mine) panel->takeListing(*read, done);
       });
+}
+
+void PlayerPanel::takeListing(const Listing& read, const Result<void>& done) {
+  isListing_ = false;
+  if (isAtWork()) return;
+  if (!done && done.error().code != ErrorCode::cancelled) fail(done.error());
+  if (done) showListing(read);
+  if (const auto asked = std::exchange(askedMeanwhile_, std::nullopt)) goOn(asked->first, asked->second);
 }
 
 void PlayerPanel::showListing(const Listing& read) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ew/library/case.h"
@@ -37,6 +38,7 @@ class PlayerPanel final : public QWidget {
   void showCase();
   struct Listing;
   void showLessons();  ///< once a job has read how far the person has got
+  void takeListing(const Listing& read, const Result<void>& done);
   void showListing(const Listing& read);
   void begin(const std::string& lessonId);
   /// Who asks: the list here; the window, which offers what a crash has left; or a learning system that started the window for the lesson,
@@ -58,8 +60,10 @@ class PlayerPanel final : public QWidget {
   CaseWords words_;              ///< of the case that holds the lesson
   std::vector<Lesson> lessons_;  ///< of the open case, as they were written
   std::vector<sdk::Ticket> tickets_;
-  int listings_ = 0;               ///< begun so far: an older one that arrives late is not shown
-  bool hasBegunLaunched_ = false;  ///< the lesson that this window was started for
+  int listings_ = 0;                                             ///< begun so far: an older one that arrives late is not shown
+  bool isListing_ = false;                                       ///< the latest is being read
+  std::optional<std::pair<std::string, Asked>> askedMeanwhile_;  ///< a lesson that the window wants once it is
+  bool hasBegunLaunched_ = false;                                ///< the lesson that this window was started for
 
   QStackedWidget* pages_ = nullptr;
   QLabel* problem_ = nullptr;
