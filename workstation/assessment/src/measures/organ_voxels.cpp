@@ -93,14 +93,16 @@ OrganVoxels::OrganVoxels(const Volume& labels, const Grid& placed, int label) : 
         for (int k = k0; k < std::min(k0 + kBlock, dims.z); ++k) {
           const auto layer = static_cast<std::size_t>(k - k0);
           mask.before[layer] = static_cast<std::uint16_t>(centres_mm_.size() - block.first);
-          for (int j = j0; j < std::min(j0 + kBlock, dims.y); ++j)
+          for (int j = j0; j < std::min(j0 + kBlock, dims.y); ++j) {
+            const std::uint8_t* row = labels.echo.data() + grid_.indexOf(0, j, k);
             for (int i = i0; i < std::min(i0 + kBlock, dims.x); ++i) {
-              if (labels.echo[grid_.indexOf(i, j, k)] != label) continue;
+              if (row[i] != label) continue;
               const glm::dvec3 centre = carried(voxelToWorld, glm::dvec3(i, j, k));
               centres_mm_.emplace_back(centre);
               block.middle_mm += centre;
               mask.layers[layer] |= std::uint64_t{1} << (kBlock * (j - j0) + i - i0);
             }
+          }
         }
         block.end = centres_mm_.size();
         if (block.end == block.first) continue;

@@ -24,8 +24,13 @@ std::vector<glm::dvec3> outermost(std::span<const glm::dvec3> points) {
   for (int n = 0; n < kDirections; ++n) {
     const glm::dvec3 direction = directionOf(n);
     std::size_t best = 0;
-    for (std::size_t p = 1; p < points.size(); ++p)
-      if (glm::dot(points[p], direction) > glm::dot(points[best], direction)) best = p;
+    double farthest = glm::dot(points[0], direction);
+    for (std::size_t p = 1; p < points.size(); ++p) {
+      const double far = glm::dot(points[p], direction);
+      if (!(far > farthest)) continue;
+      best = p;
+      farthest = far;
+    }
     found.insert(best);
   }
   std::vector<glm::dvec3> corners;
