@@ -8235,6 +8235,10 @@
         <translation>Filme können weder geschrieben noch gelesen werden, weil ein Teil des Programms fehlt; EchoWeave neu installieren.</translation>
     </message>
     <message>
+        <source>Packed images cannot be read, because a part of the program is missing; install EchoWeave again.</source>
+        <translation>Gepackte Bilder können nicht gelesen werden, weil ein Teil des Programms fehlt; EchoWeave neu installieren.</translation>
+    </message>
+    <message>
         <source>The bundle could not be written (%1); please report it.</source>
         <translation>Das Paket konnte nicht geschrieben werden (%1); bitte melden.</translation>
     </message>

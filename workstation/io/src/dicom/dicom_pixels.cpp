@@ -292,6 +292,7 @@ Result<void> FrameReader::samplesOf(std::uint64_t frame, std::vector<std::int32_
   if (!head || head->width != layout_.columns || head->height != layout_.rows || head->components != layout_.samples ||
       (head->bits > 8 ? 16 : 8) != layout_.bitsAllocated)
     return badFrame(dicom_->file, frame, layout_.codec);
+  if (auto there = unpackerThere(); !there) return passOn(there.error());
   const auto unpacked = unpack(codec, stream, *head, layout_.bitsAllocated, layout_.bitsStored, layout_.isSigned, progress);
   if (!unpacked && progress.cancelRequested()) return stopped(dicom_->file);
   if (!unpacked) return badFrame(dicom_->file, frame, layout_.codec);
@@ -410,6 +411,7 @@ Result<JpegGrey> readJpeg(Bytes bytes, const fs::path& file, std::uint64_t mostP
         ErrorCode::tooLarge,
         say<"%1 promises %2 pixels, but the limit is %3; save a smaller image.">(quoted(file), head->width * head->height, mostPixels),
         {{"file", file.string()}});
+  if (auto there = unpackerThere(); !there) return passOn(there.error());
   const auto unpacked = unpack(Codec::jpeg, bytes, *head, 8, 8, false, progress);
   if (!unpacked && progress.cancelRequested()) return stopped(file);
   if (!unpacked)

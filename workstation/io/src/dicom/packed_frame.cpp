@@ -1,11 +1,7 @@
 #include "dicom/packed_frame.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
-#include <gdcmDataElement.h>
-#include <gdcmJPEG2000Codec.h>
-#include <gdcmJPEGCodec.h>
-#include <gdcmJPEGLSCodec.h>
-#include <gdcmSequenceOfFragments.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -18,6 +14,9 @@
 #include <csignal>
 #include <cstring>
 #include <thread>
+
+#include "dicom/packed_module.h"
+#include "files/own_module.h"
 
 namespace ew::detail {
 namespace {
@@ -101,36 +100,25 @@ std::optional<CodecHeader> jpeg2000Head(Bytes stream) {
   return head;
 }
 
-template <class Decoder>
-std::optional<std::vector<std::uint8_t>> decoded(Decoder& decoder, Bytes stream, const CodecHeader& head, int bitsAllocated, int bitsStored,
-                                                 bool isSigned) {
-  const auto bits = static_cast<unsigned short>(bitsStored);
-  const std::array<unsigned, 3> dims{static_cast<unsigned>(head.width), static_cast<unsigned>(head.height), 1};
-  decoder.SetNumberOfDimensions(2);
-  decoder.SetDimensions(dims.data());
-  decoder.SetPlanarConfiguration(0);
-  decoder.SetPhotometricInterpretation(gdcm::PhotometricInterpretation(
-      head.components == 3 ? gdcm::PhotometricInterpretation::YBR_FULL : gdcm::PhotometricInterpretation::MONOCHROME2));
-  decoder.SetPixelFormat(gdcm::PixelFormat(static_cast<unsigned short>(head.components), static_cast<unsigned short>(bitsAllocated), bits,
-                                           static_cast<unsigned short>(bits - 1), isSigned ? 1 : 0));
-  decoder.SetNeedOverlayCleanup(false);
-  const gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = new gdcm::SequenceOfFragments;
-  gdcm::Fragment fragment;
-  // Codecs look a little beyond the last marker: zeros there keep them inside.
-  std::vector<char> padded(stream.begin(), stream.end());
-  padded.resize((stream.size() + 17) & ~std::size_t{1}, '\0');
-  fragment.SetByteValue(padded.data(), gdcm::VL(static_cast<std::uint32_t>(padded.size())));
-  fragments->AddFragment(fragment);
-  gdcm::DataElement in(gdcm::Tag(0x7fe0, 0x0010)), out;
-  in.SetValue(*fragments);
-  if (!decoder.Decode(in, out)) return std::nullopt;
-  const gdcm::ByteValue* const value = out.GetByteValue();
-  if (value == nullptr) return std::nullopt;
-  const std::size_t wanted = head.width * head.height * static_cast<std::size_t>(head.components) * (bitsAllocated > 8 ? 2 : 1);
-  // Values have an even length; a byte more is padding.
-  if (value->GetLength() < wanted || value->GetLength() > wanted + 1) return std::nullopt;
-  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(value->GetPointer());
-  return std::vector<std::uint8_t>(bytes, bytes + wanted);
+/// GDCM's decoders, loaded once and never unloaded; null: a part of the program is missing.
+EwUnpack* decoders() {
+  static EwUnpack* const found = [] {
+    void* const module = openOwnModule("libew_packed.so").handle;
+    return module == nullptr ? nullptr : reinterpret_cast<EwUnpack*>(dlsym(module, "ewUnpack"));
+  }();
+  return found;
+}
+
+EwPackedCodec numberOf(Codec codec) {
+  switch (codec) {
+    case Codec::jpeg:
+      return ewPackedJpeg;
+    case Codec::jpegLs:
+      return ewPackedJpegLs;
+    case Codec::jpeg2000:
+      break;
+  }
+  return ewPackedJpeg2000;
 }
 
 constexpr int kMostProcessor_s = 10;
@@ -186,7 +174,7 @@ template <class Work>
       status = 0;
     }
   } catch (...) {
-    status = 1;  // GDCM and CharLS throw on damaged streams
+    status = 1;  // there was no memory
   }
   _exit(status);
 }
@@ -238,25 +226,25 @@ std::optional<CodecHeader> packedHead(Codec codec, Bytes stream) {
   return std::nullopt;
 }
 
+Result<void> unpackerThere() {
+  if (decoders() != nullptr) return {};
+  return failure(ErrorCode::unsupported,
+                 say<"Packed images cannot be read, because a part of the program is missing; install EchoWeave again.">(),
+                 {{"file", "libew_packed.so"}});
+}
+
 std::optional<std::vector<std::uint8_t>> unpack(Codec codec, Bytes stream, const CodecHeader& head, int bitsAllocated, int bitsStored,
                                                 bool isSigned, const Progress& progress) {
+  EwUnpack* const decode = decoders();  // here, for a copy of a process with threads must not load anything
+  if (decode == nullptr) return std::nullopt;
   const std::size_t wanted = head.width * head.height * static_cast<std::size_t>(head.components) * (bitsAllocated > 8 ? 2 : 1);
+  const EwPackedImage image{
+      numberOf(codec), static_cast<unsigned>(head.width), static_cast<unsigned>(head.height), head.components, bitsAllocated, bitsStored,
+      isSigned ? 1 : 0};
   return inOwnProcess(wanted, progress, [&]() -> std::optional<std::vector<std::uint8_t>> {
-    switch (codec) {
-      case Codec::jpeg: {
-        gdcm::JPEGCodec decoder;
-        return decoded(decoder, stream, head, bitsAllocated, bitsStored, isSigned);
-      }
-      case Codec::jpegLs: {
-        gdcm::JPEGLSCodec decoder;
-        return decoded(decoder, stream, head, bitsAllocated, bitsStored, isSigned);
-      }
-      case Codec::jpeg2000: {
-        gdcm::JPEG2000Codec decoder;
-        return decoded(decoder, stream, head, bitsAllocated, bitsStored, isSigned);
-      }
-    }
-    return std::nullopt;
+    std::vector<std::uint8_t> samples(wanted);
+    if (!decode(&image, stream.data(), stream.size(), samples.data(), wanted)) return std::nullopt;
+    return samples;
   });
 }
 

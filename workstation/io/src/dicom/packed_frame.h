@@ -7,6 +7,7 @@
 
 #include "dicom/dicom_dataset.h"
 #include "ew/core/progress.h"
+#include "ew/core/result.h"
 
 namespace ew::detail {
 
@@ -25,6 +26,9 @@ enum class Codec { jpeg, jpegLs, jpeg2000 };
 
 /// Head of a JPEG, JPEG-LS or JPEG 2000 stream; empty when it is none that can be trusted to a decoder.
 [[nodiscard]] std::optional<CodecHeader> packedHead(Codec codec, Bytes stream);
+
+/// @error unsupported (the module with the decoders is missing)
+[[nodiscard]] Result<void> unpackerThere();
 
 /// Decoded samples in a process of its own, component after component of a pixel (or by planes, as head.byPlanes), each of `bits` in 1 or 2
 /// bytes of the machine's order. Empty when the decoder refuses, takes longer than any image needs, or when `progress` asks to stop: look

@@ -2,17 +2,13 @@
 
 #include <dlfcn.h>
 
-#include <filesystem>
+#include "files/own_module.h"
 
 namespace ew::detail {
 namespace {
-namespace fs = std::filesystem;
 
 Result<VideoModule> load() {
-  std::error_code ignored;
-  const fs::path installed = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../lib/echoweave/libew_video.so";
-  const fs::path file = fs::exists(installed, ignored) ? installed : fs::path(EW_VIDEO_MODULE);
-  void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  const auto [file, module] = openOwnModule("libew_video.so");
   VideoModule video;
   if (module != nullptr) {
     video.open = reinterpret_cast<EwClipOpen*>(dlsym(module, "ewClipOpen"));
@@ -30,10 +26,9 @@ Result<VideoModule> load() {
   if (video.open == nullptr || video.add == nullptr || video.finish == nullptr || video.close == nullptr || video.openFilm == nullptr ||
       video.nextOfFilm == nullptr || video.faultsOfFilm == nullptr || video.closeFilm == nullptr || video.openLive == nullptr ||
       video.nextOfLive == nullptr || video.closeLive == nullptr) {
-    const char* const reason = dlerror();
     return failure(ErrorCode::unsupported,
                    say<"Films can be neither written nor read, because a part of the program is missing; install EchoWeave again.">(),
-                   {{"file", file.string()}, {"reason", reason == nullptr ? "" : reason}});
+                   {{"file", file.string()}, {"reason", whyNotOpened()}});
   }
   return video;
 }
