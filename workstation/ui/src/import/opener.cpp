@@ -11,6 +11,7 @@
 #include "case/case_preparation.h"
 #include "ew/core/ending.h"
 #include "ew/core/quiet_progress.h"
+#include "ew/core/quiet_work.h"
 #include "ew/io/image_stack.h"
 #include "ew/io/sequence.h"
 #include "ew/io/volume_file.h"
@@ -51,6 +52,9 @@ bool isNifti(const QString& path) {
   return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive) || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
 }
 
+/// Nice: a second of all cores, begun with the window, which is to be drawn first. The first image needs body and volume, so it comes no
+/// later.
+constexpr int kBehindTheWindow = 10;
 constexpr double kLong_s = 5.0;  ///< worth waiting for behind something else
 
 QString openingOf(const Case& opened) { return Opener::tr("Opening %1").arg(shownTitle(opened)); }
@@ -159,6 +163,7 @@ void Opener::loadDefaultMannequin() {
   jobs_.start(
       tr("Preparing the mannequin"),
       [loaded, file = *file](Progress& progress) -> Result<void> {
+        const QuietWork quietly(kBehindTheWindow);
         auto read = readMannequin(file, progress);
         if (!read) return passOn(read.error());
         *loaded = std::move(*read);
