@@ -93,6 +93,59 @@ TEST(Program, HandsTheBenchesTheSameWordsAndTellsTheShellTheSame) {
   EXPECT_EQ(readJson(folder / "r.json")["command"], "bench slicing");
 }
 
+/// Of commands and of their own: "case list" as {"case", "list"}.
+void addSubcommands(const std::string& help, const std::vector<std::string>& of, std::vector<std::vector<std::string>>& found) {
+  const auto list = help.find("\nSubcommands:\n");
+  if (list == std::string::npos) return;
+  std::istringstream lines(help.substr(list + 14));
+  for (std::string line; std::getline(lines, line) && line.starts_with("  ");) {
+    if (line[2] == ' ' || line.find("(plugin ") != std::string::npos) continue;
+    found.push_back(of);
+    found.back().push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+}
+
+TEST(Program, SaysOfEveryCommandWhatTheCommandItselfSays) {
+  const TemporaryFolder folder;
+  std::vector<std::vector<std::string>> commands{{}};
+  for (std::size_t n = 0; n < commands.size(); ++n) {
+    if (!commands[n].empty() && commands[n].front() == "bench") continue;  // answered by a program of its own
+    auto words = commands[n];
+    words.push_back("--help");
+    const auto said = runProgram(words, folder);
+    EXPECT_EQ(said.status, 0) << said.err;
+    EXPECT_EQ(said.out, run(words).out);
+    addSubcommands(said.out, commands[n], commands);
+  }
+  EXPECT_GT(commands.size(), 50u);
+}
+
+TEST(Program, BeginsWithoutTheLibrariesOfItsCommands) {
+  const TemporaryFolder folder;
+  const std::string list = folder / "libraries";
+  ASSERT_EQ(std::system(("LD_TRACE_LOADED_OBJECTS=1 '" EW_PROGRAM "' > '" + list + "'").c_str()), 0);
+  std::istringstream lines(readText(list));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line);) ++count;
+  EXPECT_GT(count, 3u);
+  EXPECT_LT(count, 25u) << readText(list);  // ten, and what the sanitizers bring
+}
+
+TEST(Program, AnswersWrongWordsAsTheCommandItselfDoes) {
+  const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> wrong{{"register", "a.mha", "b.mha", "--method", "guess", "-o", "t.txt"},
+                                                    {"scan", "a.mha", "--size", "0x0"},
+                                                    {"case", "list", "--nonsense"},
+                                                    {"records"},
+                                                    {"help", "nonsense"}};
+  for (const auto& words : wrong) {
+    const auto said = runProgram(words, folder), own = run(words);
+    EXPECT_EQ(said.status, own.status) << words.front();
+    EXPECT_EQ(said.out, own.out) << words.front();
+    EXPECT_EQ(said.err, own.err) << words.front();
+  }
+}
+
 TEST(Program, WithoutADisplayTheWindowIsASentenceAndNoCrash) {
   const TemporaryFolder folder;
   const auto outcome = runProgram({"--screenshot", folder / "s.png"}, folder);

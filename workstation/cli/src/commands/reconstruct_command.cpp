@@ -245,6 +245,26 @@ Result<int> reconstructSweep(const ReconstructArguments& arguments, Run& run) {
   return kDone;
 }
 
+void addAcquisitionOptions(CLI::App& app, AcquisitionArguments& arguments) {
+  app.add_option("--motor", arguments.motor,
+                 "Take the poses from a motor instead of a tracker: its file (parallel, fan or rotational), or 'recorded' for what the "
+                 "recording itself says")
+      ->type_name("MOTOR.json");
+  app.add_option("--time-offset", arguments.timeOffset,
+                 "Move the poses in time: by how many seconds they lag behind the images (positive: an image of time t has the pose of "
+                 "t + S), or 'estimate' to find it from the movement in both")
+      ->type_name("S");
+  app.add_option("--phases", arguments.phases, "Gate: write this many volumes of one cycle of heart or breath, numbered")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  app.add_option("--gate", arguments.gate, "What tells the phase: the recorded ECG or respiration, or the images (the first that can)")
+      ->check(CLI::IsMember({"automatic", "ecg", "respiration", "images"}))
+      ->type_name("KIND");
+  app.add_option("--rhythm", arguments.rhythm, "What to look for in images: heart or breath (heart)")
+      ->check(CLI::IsMember({"heart", "breath"}))
+      ->type_name("KIND");
+}
+
 }  // namespace
 
 void addReconstruct(CLI::App& root, Selection& selection) {

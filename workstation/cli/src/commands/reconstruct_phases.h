@@ -17,8 +17,6 @@ struct AcquisitionArguments {
   std::string rhythm = "heart";
 };
 
-void addAcquisitionOptions(CLI::App& app, AcquisitionArguments& arguments);
-
 /// Checks the words and puts them into the import's options.
 /// @error badUsage
 [[nodiscard]] Result<void> applyTo(SweepImportOptions& options, const AcquisitionArguments& arguments, Run& run);

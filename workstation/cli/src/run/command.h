@@ -81,10 +81,29 @@ struct Selection {
   bool verbose = false;
 };
 
+/// Of the program that answers for the words of a command line alone: its commands are compiled without what they do, and so do without the
+/// libraries that they do it with (decision 0082).
+#ifdef EW_WORDS_ALONE
+inline constexpr bool kWordsAlone = true;
+#else
+inline constexpr bool kWordsAlone = false;
+#endif
+
+/// As addCommand.
+CLI::App& addCommandOf(CLI::App& parent, Selection& selection, const std::string& name, const std::string& description,
+                       const std::vector<std::string>& examples, Work work);
+
 /// Adds a command with the options all commands share; its body runs after the whole line was understood.
 /// @param examples whole lines without the program's name, shown under the help
+/// @param body as Work; where kWordsAlone it is kept, for the options write into what it holds, and not referred to
+template <class Body>
 CLI::App& addCommand(CLI::App& parent, Selection& selection, const std::string& name, const std::string& description,
-                     const std::vector<std::string>& examples, Work work);
+                     const std::vector<std::string>& examples, Body body) {
+  if constexpr (kWordsAlone)
+    return addCommandOf(parent, selection, name, description, examples, [held = std::move(body)](Run&) -> Result<int> { return kDone; });
+  else
+    return addCommandOf(parent, selection, name, description, examples, Work(std::move(body)));
+}
 
 void addImport(CLI::App& root, Selection& selection);
 void addReconstruct(CLI::App& root, Selection& selection);

@@ -12,15 +12,8 @@
 namespace ew::cli {
 namespace {
 
-constexpr std::string_view kCapability = "command:";
 /// The verdict with which a command ends as one without any.
 constexpr std::string_view kGoodVerdict = "aligned";
-
-bool brings(const door::PluginStatus& plugin, const std::string& command) {
-  if (!plugin.manifest) return false;
-  const auto& abilities = plugin.manifest->capabilities;
-  return std::find(abilities.begin(), abilities.end(), std::string(kCapability) + command) != abilities.end();
-}
 
 /// The words that name existing files: what the command read, as far as can be seen from outside.
 std::vector<std::string> existingFiles(const std::vector<std::string>& words) {
@@ -95,27 +88,6 @@ Result<int> runPluginCommand(const std::string& name, const std::vector<std::str
 }
 
 }  // namespace
-
-bool isPluginCommand(const std::string& name) {
-  const auto plugins = door::discoverPlugins(door::pluginFolders());
-  return std::any_of(plugins.begin(), plugins.end(), [&](const auto& plugin) { return brings(plugin, name); });
-}
-
-void describePluginCommands(CLI::App& root) {
-  const auto taken = [&](const std::string& name) {
-    const auto commands = root.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; });
-    return !commands.empty();
-  };
-  for (const auto& plugin : door::discoverPlugins(door::pluginFolders())) {
-    if (!plugin.manifest) continue;
-    for (const auto& ability : plugin.manifest->capabilities) {
-      if (!ability.starts_with(kCapability)) continue;
-      const std::string name = ability.substr(kCapability.size());
-      if (name.empty() || taken(name)) continue;
-      root.add_subcommand(name, "(plugin " + plugin.title() + ") " + plugin.manifest->description);
-    }
-  }
-}
 
 Result<void> selectPluginCommand(std::span<const std::string> args, Selection& selection) {
   const std::string name = args.empty() ? std::string() : args.front();

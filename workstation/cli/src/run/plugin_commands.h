@@ -4,11 +4,15 @@
 #include <span>
 #include <string>
 
+#include "ew/door/door.h"
 #include "run/command.h"
 
 namespace ew::cli {
 
-/// Whether a plugin's manifest says it brings this command ("command:NAME" among its capabilities); no code is loaded.
+/// Whether a plugin's manifest says it brings this command ("command:NAME" among its capabilities).
+[[nodiscard]] bool brings(const door::PluginStatus& plugin, const std::string& command);
+
+/// Whether one of the plugins brings it; no code is loaded.
 [[nodiscard]] bool isPluginCommand(const std::string& name);
 
 /// Names the commands of plugins in the help of `root`, as their manifests describe them; no code is loaded.

@@ -7,12 +7,15 @@
 #include "ew/core/simd.h"
 #include "ew/ui/run.h"
 #include "run/program.h"
+#include "run/programs.h"
 
 /// The window: `echoweave` becomes this program when its words name no command.
 int main(int argc, char** argv) {
   std::ostream& err = ew::cli::beginProgram();
-  const auto wish = ew::cli::windowArguments(std::vector<std::string>(argv + 1, argv + argc));
+  const std::vector<std::string> args(argv + 1, argv + argc);
+  const auto wish = ew::cli::windowArguments(args);
   if (!wish) {
+    if (ew::cli::seemsCommand(args, wish.error())) return ew::cli::becomeCommand(argv);
     err << "echoweave: " << wish.error().sentence() << "\n" << std::flush;
     return wish.error().code == ew::ErrorCode::badUsage ? ew::cli::kWrongUsage : ew::cli::kFailed;
   }
