@@ -56,25 +56,96 @@ ew_tidy_sources() {
     fi
 }
 
-# ew_tidy_one FOLDER FILE END: looks at one file unless the time is up (END in seconds since 1970; 0: never) and marks in FOLDER/seen that it did.
-ew_tidy_one() {
-  local limit=() said status=0
-  if [ "$3" -gt 0 ]; then
-    local left=$(($3 - $(date +%s)))
-    [ "$left" -gt 30 ] || return 0
+# ew_tidy_groups FOLDER FILE...: puts the files that stand in one library and have the same command into groups, up to eight in one but no
+# more than leave work for every processor, in the order of the first of each, and prints the groups' folders. A group's source includes its
+# files, so that the headers are read once; it is called UnifiedSource because the static analyzer looks into the sources that a source
+# includes under that name alone. GROUP/files lists them.
+ew_tidy_groups() {
+  local folder=$1 most
+  shift
+  most=$((($# + $(nproc) - 1) / $(nproc)))
+  [ "$most" -le 8 ] || most=8
+  rm -rf "$folder"/group-*
+  awk -v top="$PWD/" -v folder="$PWD/$folder" -v most="$most" '
+    FNR == NR { wanted[++files] = $0; next }
+    /"file": "/ {
+      file = $0
+      sub(/^.*"file": "/, "", file)
+      sub(/".*$/, "", file)
+      command[file] = $0
+      sub(/^{/, "", command[file])
+    }
+    END {
+      for (i = 1; i <= files; ++i) {
+        file = top wanted[i]
+        line = command[file]
+        at = index(line, " -c ")
+        match(wanted[i], /^[^\/]*\/[^\/]*\//)
+        key = substr(wanted[i], 1, RLENGTH) substr(line, 1, at - 1)
+        if (!(key in group) || size[group[key]] == most) group[key] = ++groups
+        n = group[key]
+        start[n] = substr(line, 1, at - 1)
+        list[n] = list[n] wanted[i] "\n"
+        text[n] = text[n] "#include \"" file "\"  // NOLINT(bugprone-suspicious-include)\n"
+        ++size[n]
+      }
+      for (n = 1; n <= groups; ++n) {
+        own = folder "/group-" n
+        system("mkdir -p \"" own "\"")
+        source = own "/UnifiedSource.cpp"
+        printf "%s", list[n] >(own "/files")
+        printf "%s", text[n] >source
+        printf "[{%s -c \\\"%s\\\"\", \"file\": \"%s\"}]\n", start[n], source, source >(own "/compile_commands.json")
+        print own
+      }
+    }' <(printf '%s\n' "$@") "$folder/compile_commands.json"
+}
+
+# ew_tidy_run FOLDER END SOURCE: clang-tidy over one source by FOLDER/compile_commands.json, unless less than thirty seconds are left to END
+# (in seconds since 1970; 0: it never ends). Its findings are in `said`; fails with 124 where the time was up.
+ew_tidy_run() {
+  local limit=() status=0
+  said=''
+  if [ "$2" -gt 0 ]; then
+    local left=$(($2 - $(date +%s)))
+    [ "$left" -gt 30 ] || return 124
     limit=(timeout "$left")
   fi
-  said=$("${limit[@]}" clang-tidy --quiet -p "$1" --warnings-as-errors='*' "$2" 2>"$1/errors.$$") || status=$?
-  if [ "$status" -ne 124 ]; then
-    [ "$status" -eq 0 ] || { [ -n "$said" ] || said=$(<"$1/errors.$$"); printf '%s\n' "$said" >&2; }
-    printf '%d %s\n' "$status" "$2" >>"$1/seen"
-  fi
+  said=$("${limit[@]}" clang-tidy --quiet -p "$1" --warnings-as-errors='*' "$3" 2>"$1/errors.$$") || status=$?
+  [ "$status" -eq 0 ] || [ -n "$said" ] || said=$(<"$1/errors.$$")
   rm -f "$1/errors.$$"
+  return "$status"
 }
-export -f ew_tidy_one
+
+# ew_tidy_group FOLDER END GROUP: looks at the files of a group together, or one by one where they do not compile as one (two of them use
+# a name for different things), and marks in FOLDER/seen which it looked at and how that ended.
+ew_tidy_group() {
+  local files said file status=0
+  mapfile -t files <"$3/files"
+  if [ ${#files[@]} -gt 1 ]; then
+    ew_tidy_run "$3" "$2" "$3/UnifiedSource.cpp" || status=$?
+    case $said in
+      *clang-diagnostic-error*) ;;
+      *)
+        [ "$status" -ne 124 ] || return 0
+        [ "$status" -eq 0 ] || printf '%s\n' "$said" >&2
+        printf "$status %s\n" "${files[@]}" >>"$1/seen"
+        return 0
+        ;;
+    esac
+  fi
+  for file in "${files[@]}"; do
+    status=0
+    ew_tidy_run "$1" "$2" "$file" || status=$?
+    [ "$status" -ne 124 ] || return 0
+    [ "$status" -eq 0 ] || printf '%s\n' "$said" >&2
+    printf '%d %s\n' "$status" "$file" >>"$1/seen"
+  done
+}
+export -f ew_tidy_run ew_tidy_group
 
 # ew_tidy SECONDS [FILE...]: clang-tidy over the sources among the files (all without any), and a line that says how many it looked at. It is
-# over after SECONDS and begins no file in the last thirty; 0: it takes as long as it takes. Fails where there is a finding.
+# over after SECONDS and begins nothing in the last thirty; 0: it takes as long as it takes. Fails where there is a finding.
 ew_tidy() {
   local folder=build/tidy end=0 files looked
   [ "$1" -eq 0 ] || end=$(($(date +%s) + $1))
@@ -82,7 +153,8 @@ ew_tidy() {
   ew_tidy_commands "$folder"
   mapfile -t files < <(ew_tidy_sources "$folder" "$@")
   : >"$folder/seen"
-  [ ${#files[@]} -eq 0 ] || printf '%s\0' "${files[@]}" | xargs -0 -P "$(nproc)" -I '{}' bash -c 'ew_tidy_one "$@"' _ "$folder" '{}' "$end"
+  [ ${#files[@]} -eq 0 ] || ew_tidy_groups "$folder" "${files[@]}" | tr '\n' '\0' |
+    xargs -0 -P "$(nproc)" -I '{}' bash -c 'ew_tidy_group "$@"' _ "$folder" "$end" '{}'
   looked=$(wc -l <"$folder/seen")
   ew_say "clang-tidy looked at $looked of ${#files[@]} sources$([ "$looked" -eq "${#files[@]}" ] || printf '; ./check --tidy looks at all')."
   ! grep -qv '^0 ' "$folder/seen"
