@@ -29,7 +29,7 @@ std::string CommentHistory::add(ReviewComment comment, const std::string& what) 
   };
   do comment.id = "comment-" + std::to_string(++given_);
   while (isTaken(comment.id));
-  const std::string id = comment.id;
+  std::string id = comment.id;
   CommentFile next = states_.now();
   next.comments.push_back(std::move(comment));
   change(std::move(next), what, {});

@@ -30,7 +30,7 @@ fs::path drawingIn(const JsonFields& fields, const fs::path& folder) {
   const Message expected = say<"the name of an SVG file in the folder of the mark">();
   const std::string name = fields.text("drawing", {}, 1, 100, expected);
   if (!fields.good()) return {};
-  const fs::path file = folder / name;
+  fs::path file = folder / name;
   std::error_code ignored;
   if (fs::path(name).filename() != name || file.extension() != ".svg" || !fs::is_regular_file(file, ignored))
     fields.refuse("drawing", expected);

@@ -17,7 +17,7 @@ Result<Next> StatementSender::oneByOne(const std::vector<std::string>& ids) {
     std::vector<std::string> one = {id};
     if (auto settled = settleDoubts(one); !settled || *settled == Next::stop || isAway_) return settled;
     if (one.empty()) continue;
-    const auto next = put(id);
+    auto next = put(id);
     if (!next || *next == Next::stop || isAway_) return next;
     if (*next == Next::later) worst = Next::later;
   }
@@ -97,7 +97,7 @@ Result<Next> StatementSender::round() {
     const auto ids = nextBatch();
     if (ids.empty()) return worst;
     const bool wasSingly = isSingly_;
-    const auto next = deliver(ids);
+    auto next = deliver(ids);
     if (!next || *next == Next::stop) return next;
     if (*next == Next::later && (isAway_ || !wasSingly)) return next;
     if (*next == Next::later) worst = Next::later;

@@ -35,7 +35,7 @@ QString figure(double value, int decimals) {
 }
 
 QString signedFigure(double value, int decimals) {
-  const QString plain = figure(std::abs(value), decimals);
+  QString plain = figure(std::abs(value), decimals);
   if (plain == figure(0.0, decimals)) return plain;
   return (value < 0.0 ? QStringLiteral("−") : QStringLiteral("+")) + plain;
 }

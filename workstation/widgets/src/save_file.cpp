@@ -140,7 +140,7 @@ QString askSaveFile(QWidget* parent, const SaveFile& asked) {
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     dialog.selectFile(proposal);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
-    const QString file = completed(dialog.selectedFiles().constFirst(), asked.endings, dialog.selectedNameFilter());
+    QString file = completed(dialog.selectedFiles().constFirst(), asked.endings, dialog.selectedNameFilter());
     if (!hasFolder) keepFolderForSaving(asked.endings, file, settings);
     const QStringList there = thereAlready(asked, file);
     if (there.isEmpty()) return file;

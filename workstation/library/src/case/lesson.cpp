@@ -47,7 +47,7 @@ std::optional<double> optionalNumber(const JsonFields& fields, std::string_view 
 
 /// A file of the section's folder. The file itself is looked for by whoever checks the case.
 std::string pathOf(const JsonFields& fields, std::string_view key) {
-  const std::string path = fields.text(key, std::string(), 0, kLongestPath);
+  std::string path = fields.text(key, std::string(), 0, kLongestPath);
   const std::filesystem::path asPath(path);
   if (asPath.is_absolute() || path.find('\\') != std::string::npos || std::find(asPath.begin(), asPath.end(), "..") != asPath.end())
     fields.refuse(key, say<"a relative path inside the folder parts/lessons of the case">());

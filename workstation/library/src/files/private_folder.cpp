@@ -43,7 +43,7 @@ PrivateFolder::~PrivateFolder() {
 }
 
 fs::path ownTemporaryFolder(const std::string& name) {
-  const fs::path folder = temporaryFiles() / (name + "-" + std::to_string(::geteuid()));
+  fs::path folder = temporaryFiles() / (name + "-" + std::to_string(::geteuid()));
   static_cast<void>(::mkdir(folder.c_str(), 0700));  // what stands there decides, whoever made it
   if (isOwn(folder)) return folder;
   static const std::optional<PrivateFolder> instead = PrivateFolder::make();

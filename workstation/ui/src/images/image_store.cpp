@@ -32,10 +32,9 @@ Result<void> writeKept(const fs::path& folder, const QImage& image, const ImageR
   fs::create_directories(folder.parent_path(), failed);  // the library's; others may have folders there
   if (auto made = makePrivateFolder(folder); !made) return made;
   const fs::path file = folder / (about.options.instanceUid + ".png");
-  const auto written =
-      image.format() == QImage::Format_Grayscale8
-          ? writeDisplayImage(DisplayImage{{image.constBits(), image.width(), image.height(), image.bytesPerLine()}}, 1.0, file)
-          : writeDisplayImage(coloursOf(image), 1.0, file);
+  auto written = image.format() == QImage::Format_Grayscale8
+                     ? writeDisplayImage(DisplayImage{{image.constBits(), image.width(), image.height(), image.bytesPerLine()}}, 1.0, file)
+                     : writeDisplayImage(coloursOf(image), 1.0, file);
   if (!written) return written;
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, failed);
   return writePrivateFile(folder / (about.options.instanceUid + ".json"),

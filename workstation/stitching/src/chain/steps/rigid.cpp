@@ -58,7 +58,7 @@ Result<void> rigidStep(ChainRun& run, Progress& progress) {
       for (const std::size_t v : {run.candidates[n].fixed, run.candidates[n].moving})
         if (auto view = run.inputs.load(v, progress); !view) return passOn(view.error());
     const int atOnce = besideEachOther_bytes(run, bytes).pairs;
-    const auto matched = runConcurrently(missing.size(), atOnce, progress, [&](std::size_t n, Progress& part) -> Result<void> {
+    auto matched = runConcurrently(missing.size(), atOnce, progress, [&](std::size_t n, Progress& part) -> Result<void> {
       auto made = match(run, run.candidates[missing[n]], run.threadsOfEach(atOnce), part);
       if (!made) return passOn(made.error());
       found[missing[n]] = std::move(*made);

@@ -28,7 +28,7 @@ ScanServer::ScanServer(Session& session, QObject* parent) : QObject(parent), ses
 Result<int> ScanServer::start(const IgtlServerOptions& options) {
   stop();  // it may hold the port that is asked for
   auto server = std::make_unique<IgtlServer>(options);
-  const auto port = server->start();
+  auto port = server->start();
   if (!port) return port;
   server_ = std::move(server);
   clients_ = 0;
