@@ -155,7 +155,7 @@ void TimeLine::keyPressEvent(QKeyEvent* event) {
 void TimeLine::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const Theme theme = currentTheme();
+  const Theme& theme = currentTheme();
   const double y = height() / 2.0;
   const auto stroke = [&](double from_s, double to_s, const QColor& colour, double width_px) {
     painter.setPen(QPen(colour, width_px, Qt::SolidLine, Qt::FlatCap));

@@ -4,7 +4,7 @@
 
 namespace ew {
 
-Result<VirtualSweep> recordSweep(std::shared_ptr<const Patient> patient, const Probe& probe, const SweepRecipe& recipe, int threads,
+Result<VirtualSweep> recordSweep(const std::shared_ptr<const Patient>& patient, const Probe& probe, const SweepRecipe& recipe, int threads,
                                  Progress& progress, std::uint64_t maxBytes) {
   if (auto expected = forecastSweep(*patient, probe, recipe); !expected) return passOn(expected.error());
   auto scanner = makeVirtualScanner(patient, probe, recipe.formation, recipe.seed);

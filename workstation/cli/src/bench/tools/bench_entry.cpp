@@ -101,7 +101,7 @@ BenchEntry::~BenchEntry() = default;
 
 Result<void> BenchEntry::announce(Run&) { return {}; }
 
-void addBenchEntry(CLI::App& group, Selection& selection, const BenchWords& words, std::shared_ptr<BenchEntry> entry) {
+void addBenchEntry(CLI::App& group, Selection& selection, const BenchWords& words, const std::shared_ptr<BenchEntry>& entry) {
   const auto page = std::make_shared<PageArguments>();
   auto& app = addCommand(group, selection, words.name, words.description, words.examples,
                          [page, entry, isOneOfMany = words.isOneOfMany](Run& run) { return runEntry(*entry, isOneOfMany, *page, run); });

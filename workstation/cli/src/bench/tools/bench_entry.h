@@ -61,6 +61,6 @@ struct BenchWords {
 };
 
 /// Adds the bench as a command, with the options of the page: `--html`, `--note`.
-void addBenchEntry(CLI::App& group, Selection& selection, const BenchWords& words, std::shared_ptr<BenchEntry> entry);
+void addBenchEntry(CLI::App& group, Selection& selection, const BenchWords& words, const std::shared_ptr<BenchEntry>& entry);
 
 }  // namespace ew::cli

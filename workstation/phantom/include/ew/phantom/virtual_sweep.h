@@ -105,7 +105,7 @@ struct VirtualSweep {
 /// Records a sweep. Frames are made in parallel and do not depend on the number of threads.
 /// World frame = the sequence's "Reference".
 /// @error as forecastSweep and makeVirtualScanner, cancelled (within 0.5 s)
-[[nodiscard]] Result<VirtualSweep> recordSweep(std::shared_ptr<const Patient> patient, const Probe& probe, const SweepRecipe& recipe,
+[[nodiscard]] Result<VirtualSweep> recordSweep(const std::shared_ptr<const Patient>& patient, const Probe& probe, const SweepRecipe& recipe,
                                                int threads, Progress& progress, std::uint64_t maxBytes = kLargestVolume_bytes);
 
 /// How the body is deformed at one moment of a recording: its own motion as far as the recipe asks for it, and the face's push. With what a
