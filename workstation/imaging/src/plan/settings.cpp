@@ -45,7 +45,7 @@ class Limiter {
     for (double& focus : setting_.*more) limit(focus, 0.0, lowest, highest);
   }
   template <class E, std::size_t N>
-  void choice(const char*, E T::*field, const detail::Words<E, N>& words) {
+  void choice(const char*, E T::*field, const WordTable<E, N>& words) {
     if (std::none_of(words.begin(), words.end(), [&](const auto& word) { return word.second == setting_.*field; }))
       setting_.*field = kDefault.*field;
   }
