@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "ew/bridge/convert.h"
 
@@ -29,6 +31,30 @@ constexpr double kFloor = 30.0;  // of 255, in the edge's colour: what black is 
 glm::ivec3 levelAt(const DisplayImage& image, int x, int y) {
   const Rgb grey(image.grey.row(y)[x]);
   return image.hasColour() ? over(image.colour.row(y)[x], grey) : grey;
+}
+
+/// Row `y` of an image of which each pixel stands for `step` by `step`.
+/// @param shown the colour of each level
+void shrinkGrey(const ImageView<const std::uint8_t>& grey, int y, int step, const std::array<Rgb, 256>& shown, std::span<Rgb> out) {
+  const std::uint8_t* row = grey.row(step * y);
+  if (step == 1) {
+    for (Rgb& pixel : out) pixel = shown[*row++];
+    return;
+  }
+  const std::uint8_t* below = grey.row(step * y + 1);
+  for (Rgb& pixel : out) {
+    pixel = shown[static_cast<std::size_t>((row[0] + row[1] + below[0] + below[1] + 2) / 4)];
+    row += 2;
+    below += 2;
+  }
+}
+
+void shrinkColours(const DisplayImage& image, int y, int step, const std::array<Rgb, 256>& shown, std::span<Rgb> out) {
+  for (int x = 0; x < static_cast<int>(out.size()); ++x) {
+    const auto at = [&](int right, int down) { return levelAt(image, step * x + right, step * y + down); };
+    const glm::ivec3 level = step == 1 ? at(0, 0) : (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1) + 2) / 4;
+    for (int c = 0; c < 3; ++c) out[static_cast<std::size_t>(x)][c] = shown[static_cast<std::size_t>(level[c])][c];
+  }
 }
 
 bool isInside(const std::vector<glm::dvec2>& outline, const glm::dvec2& p) {
@@ -194,15 +220,10 @@ void FanImage::setImage(const DisplayImage& image, const DisplayGeometry& geomet
       const int floor = static_cast<int>(kFloor * accent_[c]);
       shown[static_cast<std::size_t>(level)][c] = static_cast<std::uint8_t>(floor + level * (255 - floor) / 255);
     }
-  auto* out = static_cast<unsigned char*>(pixels_->GetScalarPointer());
-  const auto put = [&](const glm::ivec3& level) {
-    for (int c = 0; c < 3; ++c) *out++ = shown[static_cast<std::size_t>(level[c])][c];
-  };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const auto at = [&](int right, int down) { return levelAt(image, step * x + right, step * y + down); };
-      put(step == 1 ? at(0, 0) : (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1) + 2) / 4);
-    }
+  auto* out = static_cast<Rgb*>(pixels_->GetScalarPointer());
+  for (int y = 0; y < height; ++y, out += width)
+    image.hasColour() ? shrinkColours(image, y, step, shown, {out, static_cast<std::size_t>(width)})
+                      : shrinkGrey(image.grey, y, step, shown, {out, static_cast<std::size_t>(width)});
   pixels_->Modified();
   geometry_ = geometry;
   hasImage_ = true;

@@ -1,12 +1,15 @@
 #include "orientation_cube.h"
 
 #include <vtkAnnotatedCubeActor.h>
+#include <vtkAssembly.h>
 #include <vtkCamera.h>
+#include <vtkObjectFactory.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace ew::bridge {
 namespace {
@@ -16,9 +19,33 @@ constexpr int kLeast_px = 56;
 constexpr int kMost_px = 120;
 constexpr int kMargin_px = 6;
 
+/// VTK's own makes its letters and their edges anew with every drawing, which takes 3 ms; this one does so once something of it was
+/// changed.
+class StillCube final : public vtkAnnotatedCubeActor {
+ public:
+  static StillCube* New();
+  vtkTypeMacro(StillCube, vtkAnnotatedCubeActor);
+  int RenderOpaqueGeometry(vtkViewport* viewport) override {
+    return isMade() ? this->GetAssembly()->RenderOpaqueGeometry(viewport) : this->Superclass::RenderOpaqueGeometry(viewport);
+  }
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override {
+    return isMade() ? this->GetAssembly()->RenderTranslucentPolygonalGeometry(viewport)
+                    : this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+  }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override {
+    return isMade() ? this->GetAssembly()->HasTranslucentPolygonalGeometry() : this->Superclass::HasTranslucentPolygonalGeometry();
+  }
+
+ private:
+  [[nodiscard]] bool isMade() { return std::exchange(madeAt_, this->GetMTime()) == this->GetMTime(); }
+
+  vtkMTimeType madeAt_ = 0;
+};
+vtkStandardNewMacro(StillCube);
+
 }  // namespace
 
-OrientationCube::OrientationCube() {
+OrientationCube::OrientationCube() : cube_(vtkSmartPointer<StillCube>::New()) {
   cube_->SetXPlusFaceText("L");  // the world is LPS
   cube_->SetXMinusFaceText("R");
   cube_->SetYPlusFaceText("P");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <glm/glm.hpp>
 
@@ -28,7 +29,7 @@ class OrientationCube {
  private:
   vtkNew<vtkRenderer> corner_;
   vtkNew<vtkCamera> view_;
-  vtkNew<vtkAnnotatedCubeActor> cube_;
+  vtkSmartPointer<vtkAnnotatedCubeActor> cube_;
 };
 
 }  // namespace ew::bridge

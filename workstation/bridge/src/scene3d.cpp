@@ -291,8 +291,10 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.box->GetProperty()->LightingOff();
   p.box->GetProperty()->SetLineWidth(1.0F);
   p.box->GetProperty()->SetOpacity(0.4);  // the tint of the skin says where data are; the box only where the volume ends
+  // A pass for what is translucent costs more than all else that moves. Lines may be blended as they are, over all that is there: they
+  // come last.
+  p.box->ForceOpaqueOn();
   p.box->VisibilityOff();
-  p.overlay->AddActor(p.box);
 
   p.housing->SetMapper(p.housingMapper);
   p.housingMapper->SetColorModeToDirectScalars();
@@ -306,6 +308,7 @@ Scene3D::Scene3D(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(windo
   p.overlay->AddActor(p.housing);
   p.fan.addTo(*p.overlay);
   p.fan.setProbeToWorld(p.probeToWorld);
+  p.overlay->AddActor(p.box);
   shadeBody(*p.body);
   p.updateVisibility();
   p.applyColours();
