@@ -140,6 +140,7 @@ struct View3D::Parts {
   }
   std::unique_ptr<bridge::Scene3D> scene;
   std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
+  std::function<void()> beforeDrawing;
   bool renderAsked = false;
   QElapsedTimer sinceDrawn;  ///< runs from the end of the last drawing
   qint64 drawing_ms = 0;     ///< how long that took
@@ -276,6 +277,8 @@ void View3D::clearFanImage() {
   render();
 }
 
+void View3D::setBeforeDrawing(std::function<void()> bring) { parts_->beforeDrawing = std::move(bring); }
+
 void View3D::setDarkTheme(bool dark) {
   parts_->scene->setColours(dark ? bridge::darkColours() : bridge::lightColours());
   render();
@@ -312,10 +315,12 @@ void View3D::fitToVolume() {
 void View3D::render() {
   if (parts_->renderAsked) return;
   parts_->renderAsked = true;
-  // Drawing without a GPU takes longer than a scan frame; at most a third of the time goes into it: with half of it, a hand's every second
-  // image waits for the body to be drawn.
+  // At most a third of the time goes into it: with half of it, a hand's every second image waits for the body to be drawn. Without a
+  // graphics processor it takes time that the scan needs, and less of it.
+  const qint64 rest_ms = std::min((parts_->canvas->isSoftware() ? 10 : 2) * parts_->drawing_ms, kLongestRest_ms);
   const qint64 rested_ms = parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
-  const qint64 wait_ms = std::clamp(std::min(2 * parts_->drawing_ms, kLongestRest_ms) - rested_ms, qint64{0}, kLongestRest_ms);
+  // Not at the end of this turn: what is asked for in it, the scan's painting above all, comes first.
+  const qint64 wait_ms = std::clamp(rest_ms - rested_ms, qint64{1}, kLongestRest_ms);
   QTimer::singleShot(static_cast<int>(wait_ms), Qt::PreciseTimer, this, [this] {
     if (!parts_->renderAsked) return;
     draw(bridge::Scene3D::Edges::quick);
@@ -334,7 +339,7 @@ void View3D::draw(bridge::Scene3D::Edges edges) {
   if (!isVisible() || !parts_->canvas->isValid()) return;
   parts_->sinceDrawn.start();
   const HandlerWatch::Part part("drawing the body");
-  if (beforeDrawing) beforeDrawing();
+  if (parts_->beforeDrawing) parts_->beforeDrawing();
   parts_->canvas->draw([this, edges] { parts_->scene->render(edges); });
   parts_->drawing_ms = parts_->sinceDrawn.restart();
   parts_->glass->update();  // what lies over it moves with the camera

@@ -23,8 +23,8 @@ class QPainter;
 
 namespace ew::ui {
 
-/// The mannequin with volume box, probe and live fan, as an interactive image. Every setter asks for one redraw at the end of the
-/// current turn of the event loop; nothing is drawn twice. Points are in logical pixels of its canvas, above which
+/// The mannequin with volume box, probe and live fan, as an interactive image. Every setter asks for one redraw soon
+/// after the current turn of the event loop; nothing is drawn twice. Points are in logical pixels of its canvas, above which
 /// the buttons of the camera stand.
 class View3D : public QWidget {
   Q_OBJECT
@@ -49,7 +49,7 @@ class View3D : public QWidget {
   void setFanImage(const DisplayImage& image, const DisplayGeometry& geometry);
   void clearFanImage();  ///< the fan becomes a tinted pane
   /// Called before each drawing, to bring into scene() what only a drawing needs: not every image of the scan is drawn here.
-  std::function<void()> beforeDrawing;
+  void setBeforeDrawing(std::function<void()> bring);
 
   void setDarkTheme(bool dark);
   void setBodyOpacity(double opacity);  ///< 0..1; the user's choice
@@ -65,7 +65,7 @@ class View3D : public QWidget {
   void showFrom(bridge::CameraPreset preset);
   void fitToVolume();  ///< looks at the volume box, or at the trunk when there is none
 
-  /// Draws once, soon: at the end of this turn of the event loop, or after a rest twice as long as the last drawing took; edges are
+  /// Draws once, soon: after what is to be painted now, and after a rest twice as long as the last drawing took; edges are
   /// smoothed when nothing has moved for a quarter of a second.
   void render();
   /// Draws at once with smooth edges, for screenshots; the image is complete when this returns.

@@ -1,7 +1,5 @@
 #include "scan/frame_timer.h"
 
-#include <QCoreApplication>
-#include <QEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,7 +12,6 @@ namespace {
 
 constexpr std::size_t kRememberedFrames = 25;
 constexpr double kFramePeriod_ms = 36.0;  // about 28 frames a second, as a machine shows of a deep abdomen
-const auto kAsked = static_cast<QEvent::Type>(QEvent::registerEventType());
 
 }  // namespace
 
@@ -25,17 +22,11 @@ FrameTimer::FrameTimer(const ScanContents& scan) : scan_(scan) {
   connect(&nextFrame_, &QTimer::timeout, this, &FrameTimer::elapsed);
 }
 
-/// By an event that comes after all input that is there, and before any timer: a timer that is due would otherwise draw the body first.
+/// By a posted event: one of a timer of 0 ms comes last of all, after every timer that is due.
 void FrameTimer::ask() {
   if (isAsked_) return;
   isAsked_ = true;
-  QCoreApplication::postEvent(this, new QEvent(kAsked), Qt::LowEventPriority);
-}
-
-bool FrameTimer::event(QEvent* event) {
-  if (event->type() != kAsked) return QObject::event(event);
-  Q_EMIT asked();
-  return true;
+  QMetaObject::invokeMethod(this, &FrameTimer::asked, Qt::QueuedConnection);
 }
 
 void FrameTimer::askNow() {

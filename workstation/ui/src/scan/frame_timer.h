@@ -86,9 +86,6 @@ class FrameTimer final : public QObject {
   void asked();    ///< the turn is over, or askNow(): takeAsked() tells whether an image is still to be made
   void elapsed();  ///< the time of a frame that comes by itself
 
- protected:
-  bool event(QEvent* event) override;
-
  private:
   const ScanContents& scan_;
   QElapsedTimer clock_;
@@ -98,11 +95,11 @@ class FrameTimer final : public QObject {
   TrackingPace pace_;
   AdaptiveQuality adaptive_;
   bool isAdaptive_ = true;
+  bool showsMove_ = false;  ///< the present image, of a hand
   double frameBegan_s_ = 0.0;
   double lastFrame_ms_ = 0.0;
   std::uint64_t framesMade_ = 0;
   std::optional<double> movedAt_s_;
-  bool showsMove_ = false;  ///< the present image, of a hand
   LatencyHistogram latency_;
   std::vector<std::vector<StepTime>> recent_;
 };

@@ -3,7 +3,6 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <algorithm>
-#include <utility>
 
 #include "body/host_overlays.h"
 #include "ew/bridge/mannequin.h"
@@ -30,7 +29,7 @@ BodyAndProbe::~BodyAndProbe() {
   parts_.focusKeys.isBesideScan = [](const QWidget&) { return false; };
   parts_.focusKeys.doInScan = [](QKeyEvent&) { return false; };
   parts_.focusKeys.backToScan = [] {};
-  if (parts_.view3d != nullptr) parts_.view3d->beforeDrawing = {};
+  if (parts_.view3d != nullptr) parts_.view3d->setBeforeDrawing({});
 }
 
 void BodyAndProbe::addLooks(QMenu& view) {
@@ -50,7 +49,7 @@ void BodyAndProbe::connectParts() {
   connect(&p.host->hostOverlays(), &HostOverlays::bodyChanged, this, &BodyAndProbe::paintOver);
   connect(p.bodyTools, &BodyTools::overChanged, this, &BodyAndProbe::paintOver);
   connectKeys();
-  p.view3d->beforeDrawing = [this] { bringFan(); };
+  p.view3d->setBeforeDrawing([this] { bringFan(); });
   connect(&p.session, &Session::imageChanged, this, &BodyAndProbe::showImage);
   connect(&p.session, &Session::subjectChanged, this, [this] {
     if (const auto& subject = parts_.session.subject()) {
@@ -94,13 +93,12 @@ void BodyAndProbe::showImage() {
   const Knobs& knobs = p.session.wide() != nullptr ? p.session.shownState().knobs : p.session.imageKnobs();
   p.view3d->setProbe(p.session.imageProbe(), p.session.fanGeometry().depth_mm, knobs);
   p.view3d->setPose(p.session.imagePose());
-  isFanNew_ = true;
   p.view3d->setProbeVisible(true);
 }
 
 void BodyAndProbe::bringFan() {
   const Session& session = parts_.session;
-  if (!std::exchange(isFanNew_, false) || !session.subject() || session.fanImage().isEmpty()) return;
+  if (!session.subject() || session.fanImage().isEmpty()) return;
   parts_.view3d->scene().setFanImage(session.fanImage(), session.fanGeometry());
 }
 

@@ -39,7 +39,6 @@ class BodyAndProbe final : public Feature {
   void showCoverageSoon();
   void sayWhyItRests();
 
-  bool isFanNew_ = false;                   ///< and has not been drawn
   QTimer coverageSoon_;                     ///< runs out when what is scanned is not moved any more
   std::weak_ptr<const Volume> coverageOf_;  ///< whose tint the skin has
 };
