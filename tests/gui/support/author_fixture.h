@@ -6,8 +6,8 @@
 #include <QToolButton>
 
 #include "ew/library/case.h"
-#include "ew/library/placing.h"
-#include "ew/library/publishing.h"
+#include "ew/library/new_case.h"
+#include "ew/library/probe_side.h"
 #include "gui/support/window_fixture.h"
 
 namespace ew::ui::testing {

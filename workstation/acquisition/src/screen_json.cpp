@@ -5,6 +5,7 @@
 #include "ew/core/ending.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
+#include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 
 namespace ew {
@@ -133,9 +134,7 @@ Result<void> writeScreen(const ScreenAnalysis& found, const ScreenCorrection& co
 }
 
 Result<ScreenCorrection> readScreenCorrection(const std::filesystem::path& file) {
-  const auto text = readTextFile(file);
-  if (!text) return passOn(text.error());
-  const auto document = parseJsonObject(*text, verbatim(file.filename().string()));
+  const auto document = readJsonFile(file, verbatim(file.filename().string()), 64u << 20);
   if (!document) return passOn(document.error());
   JsonReading reading(verbatim(file.filename().string()), {"note"});
   const JsonFields whole(*document, reading);

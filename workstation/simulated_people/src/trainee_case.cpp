@@ -102,9 +102,7 @@ Result<TraineeCase> TraineeCase::of(TeachingCase teaching, Progress& progress) {
   const auto& labels = made.teaching_.labels;
   made.ground_ =
       std::make_shared<const CaseGround>(std::make_shared<const CaseTruth>(made.teaching_.truth), labels, labels ? labels->grid : Grid{});
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  const auto probes = readProbes(*resources / "probes");
+  const auto probes = shippedProbes();
   if (!probes) return passOn(probes.error());
   made.probes_ = {made.teaching_.probe};
   for (const Probe& probe : *probes) {

@@ -9,7 +9,7 @@
 #include "ew/core/data_file.h"
 #include "ew/core/find_entry.h"
 #include "ew/core/json_fields.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/json_files.h"
 #include "ew/library/instructor_log.h"
 #include "ew/library/timestamp.h"
 
@@ -69,9 +69,7 @@ json decisionsOf(const AssessmentPlan& plan) {
 }
 
 Result<AssessmentPlan> readPlanFile(const assessment::SeriesFile& from) {
-  const auto text = readTextFile(from.file, kLargestPlan_bytes);
-  if (!text) return passOn(text.error());
-  const auto document = parseJsonObject(*text, verbatim(from.file.filename().string()));
+  const auto document = readJsonFile(from.file, verbatim(from.file.filename().string()), kLargestPlan_bytes);
   if (!document) return passOn(document.error());
   auto plan = planFromJson(*document);
   if (plan) plan->revision = from.number;

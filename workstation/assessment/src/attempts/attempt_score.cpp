@@ -5,7 +5,7 @@
 #include "ew/core/find_entry.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/message_json.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/json_files.h"
 #include "ew/library/lesson.h"
 #include "ew/library/timestamp.h"
 
@@ -59,9 +59,7 @@ json jsonOf(const StepScore& step) {
 fs::path scoresFolder(const fs::path& attemptFolder) { return attemptFolder / "scores"; }
 
 Result<AttemptScore> readScore(const assessment::SeriesFile& from) {
-  const auto text = readTextFile(from.file, kLargestScore_bytes);
-  if (!text) return passOn(text.error());
-  const auto document = parseJsonObject(*text, verbatim(from.file.filename().string()));
+  const auto document = readJsonFile(from.file, verbatim(from.file.filename().string()), kLargestScore_bytes);
   if (!document) return passOn(document.error());
   auto score = scoreFromJson(*document);
   if (score) score->number = from.number;

@@ -5,6 +5,7 @@
 #include "ew/core/json_fields.h"
 #include "ew/io/content_key.h"
 #include "ew/io/file_lock.h"
+#include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
 
@@ -32,9 +33,7 @@ Result<FileLock> lockOf(const fs::path& file) {
 Result<std::vector<RepetitionState>> statesIn(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return std::vector<RepetitionState>();
-  auto text = readTextFile(file, kLargestRepetition_bytes);
-  if (!text) return passOn(text.error());
-  auto document = parseJsonObject(*text, verbatim(file.filename().string()));
+  auto document = readJsonFile(file, verbatim(file.filename().string()), kLargestRepetition_bytes);
   if (!document) return passOn(document.error());
   return repetitionFromJson(*document);
 }

@@ -6,6 +6,7 @@
 #include "ew/core/json_fields.h"
 #include "ew/core/word_table.h"
 #include "ew/io/content_key.h"
+#include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
 
@@ -86,9 +87,7 @@ json jsonOf(const ReviewComment& comment) {
 }
 
 Result<CommentFile> readFile(const fs::path& file) {
-  auto text = readTextFile(file);
-  if (!text) return passOn(text.error());
-  auto document = parseJsonObject(*text, verbatim(file.filename().string()));
+  auto document = readJsonFile(file, verbatim(file.filename().string()), 64u << 20);
   if (!document) return passOn(document.error());
   return commentsFromJson(*document);
 }

@@ -3,7 +3,7 @@
 #include "ew/assessment/metric.h"
 #include "ew/core/data_file.h"
 #include "ew/core/json_fields.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/json_files.h"
 
 namespace ew {
 namespace {
@@ -15,10 +15,8 @@ constexpr std::size_t kLargestDefaults_bytes = 4u << 20;
 
 Result<MetricDefaults> MetricDefaults::read(const std::filesystem::path& resources) {
   const auto file = resources / "assessment" / "default-metrics.json";
-  const auto text = readTextFile(file, kLargestDefaults_bytes);
-  if (!text) return passOn(text.error());
   const Message where = verbatim(file.filename().string());
-  const auto document = parseJsonObject(*text, where);
+  const auto document = readJsonFile(file, where, kLargestDefaults_bytes);
   if (!document) return passOn(document.error());
   JsonReading reading(where, {"study"});
   const JsonFields fields(*document, reading);

@@ -9,7 +9,7 @@
 #include "bench/tools/bench_parts.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/word_table.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/json_files.h"
 #include "ew/trackers/camera_tracking.h"
 #include "ew/tracking/pose_filter.h"
 
@@ -69,9 +69,7 @@ MarkerBody bodyFrom(const JsonFields& fields) {
 
 Result<TruthViews> readViews(const TrackingBenchOptions& options, Progress& progress) {
   const Message where = verbatim("views.json");
-  const auto text = readTextFile(options.views / "views.json");
-  if (!text) return passOn(text.error());
-  const auto document = parseJsonObject(*text, where);
+  const auto document = readJsonFile(options.views / "views.json", where, 64u << 20);
   if (!document) return passOn(document.error());
   JsonReading reading(where);
   const JsonFields fields(*document, reading);

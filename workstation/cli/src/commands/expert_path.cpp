@@ -9,7 +9,7 @@
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
 #include "ew/imaging/settings_json.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/json_files.h"
 #include "ew/library/case_start.h"
 #include "ew/scanning/contact.h"
 
@@ -107,10 +107,8 @@ class Frames {
 }  // namespace
 
 Result<ExpertPath> readExpertPath(const std::filesystem::path& file, const ExpertConsole& console) {
-  const auto text = readTextFile(file, kLargestPath_bytes);
-  if (!text) return passOn(text.error());
   const Message where = verbatim(file.filename().string());
-  const auto document = parseJsonObject(*text, where);
+  const auto document = readJsonFile(file, where, kLargestPath_bytes);
   if (!document) return passOn(document.error());
   JsonReading reading(where, {"note"});
   const JsonFields fields(*document, reading);

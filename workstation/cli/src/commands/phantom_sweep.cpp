@@ -13,9 +13,7 @@ namespace ew::cli {
 namespace {
 
 Result<Probe> probeOf(const SweepRecipe& recipe) {
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  const auto probes = readProbes(*resources / "probes");
+  const auto probes = shippedProbes();
   if (!probes) return passOn(probes.error());
   std::string ids;
   for (const auto& probe : *probes) {

@@ -18,12 +18,6 @@ struct PresetArguments {
   bool asJson = false;
 };
 
-Result<std::vector<Probe>> shippedProbes() {
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  return readProbes(*resources / "probes");
-}
-
 json rowOf(const Preset& preset, bool isOwn) {
   return {{"id", preset.id},
           {"title", {{"en", preset.title.english}, {"de", preset.title.german}}},

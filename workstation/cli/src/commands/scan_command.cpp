@@ -43,9 +43,7 @@ struct ScanArguments {
 /// A probe by the name of its file, by its id, or by the name it is shown with; empty: the first the case allows.
 Result<Probe> findProbe(const std::string& wanted, const std::vector<std::string>& allowed) {
   if (hasEnding(wanted, ".json")) return readProbe(wanted);
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  const auto probes = readProbes(*resources / "probes");
+  const auto probes = shippedProbes();
   if (!probes) return passOn(probes.error());
   const std::string name = wanted.empty() && !allowed.empty() ? allowed.front() : wanted;
   std::string ids;
@@ -241,9 +239,7 @@ Result<void> checkContactSheet(const ScanArguments& arguments, Run& run) {
 
 Result<int> makeContactSheet(const ScanArguments& arguments, const ScanSubject& subject, const Probe& probe, const std::vector<Pose>& poses,
                              Run& run) {
-  const auto resources = resourceFolder();
-  if (!resources) return passOn(resources.error());
-  auto probes = readProbes(*resources / "probes");
+  auto probes = shippedProbes();
   if (!probes) return passOn(probes.error());
   const SheetSource source{
       .subject = subject, .probe = probe, .probes = std::move(*probes), .pose = poses.front(), .interfacePose = poses.back()};

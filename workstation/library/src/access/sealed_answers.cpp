@@ -16,6 +16,7 @@
 #include "case/revisions.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/output_set.h"
+#include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/case_words.h"
 #include "ew/library/content_name.h"
@@ -34,9 +35,7 @@ constexpr std::size_t kLargestImage_bytes = 64u << 20;
 
 /// Everything trainees may read, as one sum; what case.json says of answers.sealed is left out, for that is made afterwards.
 Result<std::string> sumOfView(const fs::path& folder, Progress& progress) {
-  const auto text = readTextFile(folder / kManifestName);
-  if (!text) return passOn(text.error());
-  auto manifest = parseJsonObject(*text, verbatim(kManifestName));
+  auto manifest = readJsonFile(folder / kManifestName, verbatim(kManifestName), 64u << 20);
   if (!manifest) return passOn(manifest.error());
   manifest->erase("sealed");
   auto files = sumsOfCase(folder, progress);

@@ -4,6 +4,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/core/message.h"
+#include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 
 namespace ew {
@@ -56,10 +57,8 @@ const std::string& CaseWords::of(const std::string& text) const {
 }
 
 Result<CaseWords> readCaseWords(const fs::path& file) {
-  auto text = readTextFile(file, kLargestWords_bytes);
-  if (!text) return passOn(text.error());
   const Message where = verbatim(file.filename().string());
-  auto document = parseJsonObject(*text, where);
+  auto document = readJsonFile(file, where, kLargestWords_bytes);
   if (!document) return passOn(document.error());
   JsonReading reading(where);
   const JsonFields fields(*document, reading);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "ew/imaging/probe.h"
 #include "files/private_folder.h"
 
 namespace ew {
@@ -79,6 +80,12 @@ fs::path libraryFolder() {
   if (const std::string chosen = environment("ECHOWEAVE_LIBRARY"); !chosen.empty()) return chosen;
   if (const std::string home = environment("HOME"); !home.empty()) return fs::path(home) / "EchoWeave";
   return "EchoWeave";
+}
+
+Result<std::vector<Probe>> shippedProbes() {
+  const auto resources = resourceFolder();
+  if (!resources) return passOn(resources.error());
+  return readProbes(*resources / "probes");
 }
 
 bool isTaken(const fs::path& folder) {

@@ -11,6 +11,7 @@
 #include "ew/core/message_json.h"
 #include "ew/core/numbers.h"
 #include "ew/core/word_table.h"
+#include "ew/io/json_files.h"
 #include "ew/io/private_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/lesson.h"
@@ -235,9 +236,7 @@ Result<AttemptFolder> AttemptFolder::begin(const fs::path& root, Attempt attempt
 }
 
 Result<AttemptFolder> AttemptFolder::open(const fs::path& folder) {
-  auto text = readTextFile(folder / kAttemptFile, kLargestAttempt_bytes);
-  if (!text) return passOn(text.error());
-  auto document = parseJsonObject(*text, verbatim(kAttemptFile));
+  auto document = readJsonFile(folder / kAttemptFile, verbatim(kAttemptFile), kLargestAttempt_bytes);
   if (!document) return passOn(document.error());
   auto attempt = attemptFromJson(*document);
   if (!attempt) return passOn(attempt.error());

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ew/core/json_fields.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/json_files.h"
 #include "ew/library/case.h"
 
 namespace ew {
@@ -18,10 +18,8 @@ constexpr std::size_t kLongestText = 20000;
 }  // namespace
 
 Result<Course> readCourse(const std::filesystem::path& file) {
-  const auto text = readTextFile(file, kLargestCourse_bytes);
-  if (!text) return passOn(text.error());
   const Message where = verbatim(file.filename().string());
-  const auto document = parseJsonObject(*text, where);
+  const auto document = readJsonFile(file, where, kLargestCourse_bytes);
   if (!document) return passOn(document.error());
   JsonReading reading(where, {"note"});
   const JsonFields fields(*document, reading);

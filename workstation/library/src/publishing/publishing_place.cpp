@@ -53,8 +53,7 @@ bool sees(const Probe& probe, const Transform<frame::World, frame::Probe>& probe
 }
 
 std::optional<Probe> firstProbeOf(const Case& opened) {
-  const auto resources = resourceFolder();
-  const auto probes = resources ? readProbes(*resources / "probes") : Result<std::vector<Probe>>(passOn(resources.error()));
+  const auto probes = shippedProbes();
   if (!probes || probes->empty()) return std::nullopt;
   const auto named = std::find_if(probes->begin(), probes->end(),
                                   [&](const Probe& each) { return !opened.probes.empty() && each.id == opened.probes.front(); });

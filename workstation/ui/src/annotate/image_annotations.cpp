@@ -56,7 +56,6 @@ std::vector<const annotation::WordList*> ImageAnnotations::commonLists() const {
 
 void ImageAnnotations::showTerms() {
   terms_ = termsFor(wordLists_, chosen_.empty() ? region_ : chosen_, QLocale().name().toStdString());
-  Q_EMIT wordsChanged();
 }
 
 bool ImageAnnotations::hold() {

@@ -56,7 +56,6 @@ class ImageAnnotations final : public QObject {
 
  Q_SIGNALS:
   void changed();
-  void wordsChanged();
   void pauseAsked();  ///< of a recording or the cine loop
   void said(const QString& sentence);
 

@@ -69,7 +69,6 @@ void Learning::take(std::shared_ptr<const Known> known, const std::vector<Error>
   Q_EMIT changed();
   for (const Error& problem : problems)
     if (told_.insert(problem.sentence()).second) Q_EMIT failed(problem);
-  if (waiting_ == 0) Q_EMIT rested();
 }
 
 }  // namespace ew::ui

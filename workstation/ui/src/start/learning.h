@@ -43,7 +43,6 @@ class Learning final : public QObject {
  Q_SIGNALS:
   void changed();
   void failed(const ew::Error& error);  ///< each attempt that cannot be read, once
-  void rested();
 
  private:
   void take(std::shared_ptr<const Known> known, const std::vector<Error>& problems);

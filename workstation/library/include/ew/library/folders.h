@@ -1,13 +1,18 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "ew/core/result.h"
 
 namespace ew {
 
+struct Probe;
+
 /// Where the program's own data are: $ECHOWEAVE_RESOURCES, beside the program, the source tree it was built from, or the installed place.
 [[nodiscard]] Result<std::filesystem::path> resourceFolder();
+/// The probes that come with the program. @error as resourceFolder, readProbes
+[[nodiscard]] Result<std::vector<Probe>> shippedProbes();
 [[nodiscard]] Result<std::filesystem::path> shippedCasesFolder();
 /// Whether a folder is one of the shipped cases', or any other place below them: it belongs to the program, and a new version of the
 /// program, or of its sources, replaces what is in it.

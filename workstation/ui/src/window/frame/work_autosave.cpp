@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ew/core/json_fields.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/json_files.h"
 #include "ew/io/volume_file.h"
 #include "ew/scanning/recording_journal.h"
 #include "ew/widgets/words.h"
@@ -35,10 +35,8 @@ QString minutesOf(const ScanRecording& recording) {
 }
 
 Result<MeasurementWork> readMeasured(const std::filesystem::path& file) {
-  const auto text = readTextFile(file, kLongestMeasured_bytes);
-  if (!text) return passOn(text.error());
   const Message where = verbatim(file.string());
-  const auto document = parseJsonObject(*text, where);
+  const auto document = readJsonFile(file, where, kLongestMeasured_bytes);
   if (!document) return passOn(document.error());
   JsonReading reading(where);
   const JsonFields fields(*document, reading);
