@@ -6,8 +6,8 @@
 #include "rules/source_tree.h"
 
 // An enumerator that is added later has to be given its word: -Wswitch, an error in every preset, asks for it where words are chosen by a
-// switch without a default, and nowhere else. An array of words that an enumerator indexes is read beyond its end, and the last of several
-// questions gives the new one the word of another.
+// switch without a default, wordIn() where they stand in a WordTable (core/word_table.h), and nothing does elsewhere. An array of words
+// that an enumerator indexes is read beyond its end, and the last of several questions gives the new one the word of another.
 namespace ew::rules::words_of_enums_test {
 namespace {
 
