@@ -3,6 +3,12 @@
 #include <fstream>
 #include <string>
 
+#include "ew/core/freed_memory.h"
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace ew {
 
 std::optional<std::uint64_t> availableMemory_bytes() {
@@ -15,6 +21,12 @@ std::optional<std::uint64_t> availableMemory_bytes() {
     if (name == "MemAvailable:") return kibibytes * 1024;
   }
   return std::nullopt;
+}
+
+void giveFreedMemoryBack() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
 }
 
 }  // namespace ew

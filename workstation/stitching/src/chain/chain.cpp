@@ -7,6 +7,7 @@
 #include "chain/chain_run.h"
 #include "chain/steps/steps.h"
 #include "ew/core/elapsed.h"
+#include "ew/core/freed_memory.h"
 #include "ew/core/word_table.h"
 
 namespace ew::stitching {
@@ -102,7 +103,7 @@ Result<ChainState> runChain(const StitchProject& project, const fs::path& folder
     StepOutcome& outcome = run.state.steps[n];
     outcome.done = true;
     outcome.seconds = clock.seconds();
-    if (!outcome.reused) trimHeap();
+    if (!outcome.reused) giveFreedMemoryBack();  // so that no step begins on top of the peak of the one before
     if (options.onStep) options.onStep(outcome);
   }
   if (run.result && options.putInPlaceLater) run.state.putInPlace = [store, result = *run.result] { return putInPlace(result, *store); };

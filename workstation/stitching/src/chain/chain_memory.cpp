@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
-
 #include "chain/overlap.h"
 #include "ew/core/depth_curves.h"
 #include "ew/core/parallel.h"
@@ -134,12 +130,6 @@ Result<void> checkMemory(ChainRun& run, Step step) {
                  say<"The step %1 would need %2 MiB of memory, more than the %3 MiB allowed; use a coarser spacing_mm or fewer volumes at "
                      "a time.">(verbatim(nameOf(step)), outcome.forecast_bytes >> 20, run.options.maxBytes >> 20),
                  {{"step", nameOf(step)}, {"forecast_bytes", std::to_string(outcome.forecast_bytes)}});
-}
-
-void trimHeap() {
-#if defined(__GLIBC__)
-  malloc_trim(0);
-#endif
 }
 
 }  // namespace ew::stitching

@@ -28,8 +28,4 @@ struct Beside {
 /// Notes what a step is going to take. @error tooLarge (more than ChainOptions::maxBytes)
 [[nodiscard]] Result<void> checkMemory(ChainRun& run, Step step);
 
-/// Returns to the system what was freed and the allocator still holds, so that a step does not begin on top of the peak of the one before.
-/// Takes milliseconds; does nothing where the allocator offers no way.
-void trimHeap();
-
 }  // namespace ew::stitching

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <thread>
 
+#include "ew/core/freed_memory.h"
 #include "ew/core/guarded.h"
 #include "ew/widgets/words.h"
 
@@ -87,6 +88,7 @@ int Jobs::start(const QString& title, Work work, Done done, Kind kind) {
   try {
     raw->thread = std::thread([raw, deliverSoon, work = std::move(work)] {
       raw->outcome = guarded([&] { return work(*raw); }, unforeseen);
+      giveFreedMemoryBack();  // of a case that was prepared, nearly as much again as it keeps
       deliverSoon();
     });
   } catch (const std::system_error&) {
