@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "ew/core/numbers.h"
+#include "ew/io/rest_in_file.h"
 #include "ew/io/safe_file.h"
 #include "files/grey_samples.h"
 #include "files/image_header.h"
@@ -17,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kWriteChunk = 512u << 10;
+constexpr std::size_t kWorthAPage_bytes = 1u << 20;
 
 std::string vectorText(const glm::dvec3& values, std::size_t count) {
   std::string text;
@@ -57,6 +59,15 @@ std::string headerText(const MetaText& meta, bool compressed, std::size_t* sizeA
                          : "MET_UCHAR") +
           "\n";
   for (const auto& [key, value] : meta.fields) text += key + " = " + value + "\n";
+  return text;
+}
+
+/// A header with blanks at the end of its line of the centre of rotation, so that samples behind it begin within a page where large vectors
+/// do (restInFile).
+std::string paddedHeader(std::string text) {
+  constexpr std::size_t kPage = 4096;
+  const std::size_t at = text.find('\n', text.find("CenterOfRotation"));
+  text.insert(at, (kPage + kBlockBegin_bytes - text.size() % kPage) % kPage, ' ');
   return text;
 }
 
@@ -133,7 +144,8 @@ Result<void> writeMetaFile(const fs::path& file, const MetaText& meta, std::span
   compress = compress && !samples.empty();
   return writeFileSafely(file, [&](std::ostream& out) -> Result<void> {
     std::size_t sizeAt = 0;
-    out << headerText(meta, compress, &sizeAt) << "ElementDataFile = LOCAL\n";
+    const std::string header = headerText(meta, compress, &sizeAt) + "ElementDataFile = LOCAL\n";
+    out << (compress || samples.size() < kWorthAPage_bytes ? header : paddedHeader(header));
     if (!compress) return writeRaw(out, file, samples, what, progress);
     const auto packedBytes = writeDeflated(out, file, samples, what, progress);
     if (!packedBytes) return passOn(packedBytes.error());
