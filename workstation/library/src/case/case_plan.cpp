@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 /// Part of every name in the cache: raise it when the same case starts to give another volume, by whatever step.
 constexpr int kPreparationFormat = 5;
 /// The same for the maps of tissue alone.
-constexpr int kMapsFormat = 2;
+constexpr int kMapsFormat = 3;
 /// And for the level of recorded tissue.
-constexpr int kLevelFormat = 1;
+constexpr int kLevelFormat = 2;
 /// The same for their motion.
 constexpr int kMotionFormat = 1;
 constexpr std::size_t kLargestSweepFile_bytes = 1u << 20;

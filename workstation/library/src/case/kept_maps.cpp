@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "ew/core/message.h"
-#include "ew/io/safe_file.h"
+#include "ew/io/rest_in_file.h"
+#include "ew/io/volume_file.h"
 
 namespace ew {
 namespace {
@@ -17,8 +18,24 @@ using nlohmann::json;
 /// The maps and their files.
 template <class Maps>
 auto filesOf(Maps& maps) {
-  return std::array{std::pair{"level.bin", &maps.level}, std::pair{"surface-distance.bin", &maps.surfaceDistance},
-                    std::pair{"surface-kind.bin", &maps.surfaceKind}};
+  return std::array{std::pair{std::string("level"), &maps.level}, std::pair{std::string("surface-distance"), &maps.surfaceDistance},
+                    std::pair{std::string("surface-kind"), &maps.surfaceKind}};
+}
+std::string fileFor(const std::string& map) { return map + ".mha"; }
+
+/// @param most that a value may be
+/// @param into left as it is unless true is returned
+/// @return whether the map is there as it was kept
+bool readMap(const StepStore& store, const char* step, const std::string& key, const std::string& map, std::size_t count, std::size_t most,
+             std::vector<std::uint8_t>& into) {
+  if (!store.isSound(step, key, fileFor(map))) return false;
+  const auto file = store.fileOf(step, key, fileFor(map));
+  auto read = readLabelVolume(file);
+  if (!read || read->volume.echo.size() != count) return false;
+  if (std::any_of(read->volume.echo.begin(), read->volume.echo.end(), [most](std::uint8_t value) { return value > most; })) return false;
+  into = std::move(read->volume.echo);
+  restInVolumeFile(into, file);  // before the next one is read
+  return true;
 }
 
 ReflectingSurface surfaceOf(const json& kept) {
@@ -48,12 +65,17 @@ Result<void> keepMaps(const StepStore& store, const char* step, const std::strin
   std::vector<std::string> names;
   for (const auto& [name, values] : filesOf(maps)) {
     if (values->empty()) continue;  // a level alone
-    const std::string_view bytes(reinterpret_cast<const char*>(values->data()), values->size());
-    if (auto written = writeFileSafely(store.fileOf(step, key, names.emplace_back(name)), bytes); !written) return written;
+    const auto file = store.fileOf(step, key, names.emplace_back(fileFor(name)));
+    if (auto written = writeConfidence(maps.grid, *values, file, noProgress(), {.compress = false}); !written) return written;
   }
   nlohmann::ordered_json surfaces = nlohmann::ordered_json::array();
   for (const ReflectingSurface& surface : maps.surfaces) surfaces.push_back(keptJsonOf(surface));
   return store.keep(step, key, {{"surfaces", std::move(surfaces)}, {"recorded", maps.isRecorded}}, names);
+}
+
+void restWhereKept(const StepStore& store, const char* step, const std::string& key, TissueMaps& maps) {
+  for (const auto& [name, values] : filesOf(maps))
+    if (!values->empty()) restInVolumeFile(*values, store.fileOf(step, key, fileFor(name)));
 }
 
 std::shared_ptr<TissueMaps> readKeptMaps(const StepStore& store, const char* step, const std::string& key, const Grid& grid) {
@@ -62,17 +84,16 @@ std::shared_ptr<TissueMaps> readKeptMaps(const StepStore& store, const char* ste
   auto maps = std::make_shared<TissueMaps>();
   maps->grid = grid;
   maps->isRecorded = data->is_object() && data->value("recorded", false);
-  for (const auto& [name, values] : filesOf(*maps)) {
-    if (maps->isRecorded && values != &maps->level) continue;
-    if (!store.readValues(step, key, name, grid.voxelCount(), *values)) return nullptr;
-  }
   try {
     for (const json& each : data->at("surfaces")) maps->surfaces.push_back(surfaceOf(each));
   } catch (const json::exception&) {
     return nullptr;
   }
-  const auto beyond = [&](std::uint8_t kind) { return kind > maps->surfaces.size(); };
-  if (std::any_of(maps->surfaceKind.begin(), maps->surfaceKind.end(), beyond)) return nullptr;
+  for (const auto& [name, values] : filesOf(*maps)) {
+    if (maps->isRecorded && values != &maps->level) continue;
+    const std::size_t most = values == &maps->surfaceKind ? maps->surfaces.size() : 255;
+    if (!readMap(store, step, key, name, grid.voxelCount(), most, *values)) return nullptr;
+  }
   return maps;
 }
 

@@ -16,6 +16,9 @@ namespace ew {
 /// @error notWritable
 [[nodiscard]] Result<void> keepMaps(const StepStore& store, const char* step, const std::string& key, const TissueMaps& maps);
 
+/// Maps that were made and kept are read from their files from now on, as those are that readKeptMaps reads (restInFile).
+void restWhereKept(const StepStore& store, const char* step, const std::string& key, TissueMaps& maps);
+
 /// @param grid of the volume they belong to, and theirs
 /// @return null when they are not there as they were kept
 [[nodiscard]] std::shared_ptr<TissueMaps> readKeptMaps(const StepStore& store, const char* step, const std::string& key, const Grid& grid);

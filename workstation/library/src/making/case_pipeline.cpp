@@ -124,6 +124,9 @@ class Preparation {
     auto maps = recordedLevel(made.volume);
     if (!maps) return passOn(maps.error());
     made.maps = std::move(*maps);
+    restWhereKept(store_, kVolumes, plan_.volume, made);
+    restWhereKept(store_, kLabels, plan_.labels, made);
+    restWhereKept(store_, kMaps, plan_.maps, *made.maps);
     keepMachineSpeed(cacheFolder(), PreparationStep::stitch, stitchWork(plan_, case_.volume.reconstruct), clock_.sinceBegin_s());
     return made;
   }
@@ -171,7 +174,10 @@ class Preparation {
     fs::remove_all(folder, ignored);
     if (!kept) kept = keepVoxels(made, rest);
     if (!kept && kept.error().code != ErrorCode::notWritable) return passOn(kept.error());
-    if (!kept) {
+    if (kept) {
+      restWhereKept(store_, kVolumes, plan_.volume, made);
+      if (made.maps) restWhereKept(store_, kMaps, plan_.maps, *made.maps);
+    } else {
       removeParts();
       notes_.push_back(notKept(kept.error()));
     }

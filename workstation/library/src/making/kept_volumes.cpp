@@ -6,6 +6,7 @@
 
 #include "case/kept_maps.h"
 #include "case/kept_motion.h"
+#include "ew/io/rest_in_file.h"
 
 namespace ew {
 namespace {
@@ -27,7 +28,9 @@ Result<Volume> readKeptVolume(const StepStore& store, const char* step, const st
   if (!isWhole(store, step, key, {kVolumeFile, kCoverageFile})) return damagedInCache(store, step, key);
   auto loaded = readVolume(store.fileOf(step, key, kVolumeFile), progress);
   if (!loaded) return passOn(loaded.error());
+  restInVolumeFile(loaded->volume.echo, store.fileOf(step, key, kVolumeFile));  // before the next array is read
   if (auto read = readCoverageInto(loaded->volume, store.fileOf(step, key, kCoverageFile), progress); !read) return passOn(read.error());
+  restInVolumeFile(loaded->volume.coverage, store.fileOf(step, key, kCoverageFile));
   return std::move(loaded->volume);
 }
 
@@ -35,6 +38,7 @@ Result<Volume> readKeptLabels(const StepStore& store, const char* step, const st
   if (!isWhole(store, step, key, {kLabelsFile})) return damagedInCache(store, step, key);
   auto labels = readLabelVolume(store.fileOf(step, key, kLabelsFile), progress);
   if (!labels) return passOn(labels.error());
+  restInVolumeFile(labels->volume.echo, store.fileOf(step, key, kLabelsFile));
   return std::move(labels->volume);
 }
 
@@ -50,6 +54,12 @@ Result<void> keepPrepared(const StepStore& store, const char* step, const std::s
   if (hasVoxels(made.labels))
     if (auto written = writeVolume(made.labels, fileFor(kLabelsFile), third, kPlain); !written) return written;
   return store.keep(step, key, {}, names);
+}
+
+void restWhereKept(const StepStore& store, const char* step, const std::string& key, Prepared& made) {
+  restInVolumeFile(made.volume.echo, store.fileOf(step, key, kVolumeFile));
+  restInVolumeFile(made.volume.coverage, store.fileOf(step, key, kCoverageFile));
+  restInVolumeFile(made.labels.echo, store.fileOf(step, key, kLabelsFile));
 }
 
 Result<Prepared> readPrepared(const CasePlan& plan, const StepStore& store, Progress& progress) {

@@ -41,6 +41,8 @@ inline constexpr WriteOptions kPlain{.compress = false};
 /// Volume and labels, those of them that have voxels. @error notWritable, cancelled
 [[nodiscard]] Result<void> keepPrepared(const StepStore& store, const char* step, const std::string& key, const Prepared& made,
                                         Progress& progress);
+/// Volume and labels that were made and kept are read from their files from now on, as those are that readPrepared reads (restInFile).
+void restWhereKept(const StepStore& store, const char* step, const std::string& key, Prepared& made);
 /// What a store holds in full. @error as readKeptVolume
 [[nodiscard]] Result<Prepared> readPrepared(const CasePlan& plan, const StepStore& store, Progress& progress);
 
