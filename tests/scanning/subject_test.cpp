@@ -88,6 +88,54 @@ TEST_F(LayoutsKept, DecideForEachClassOfSlices) {
   }
 }
 
+TEST_F(LayoutsKept, LeaveBricksToWhoeverReadsSlices) {
+  ASSERT_TRUE(ScanVoxels::of(test::waves(130)));
+  keep(tableOf(timesFor(LayoutChoice().set())));
+  const auto volume = test::waves(130);
+  const auto voxels = ScanVoxels::of(volume, noProgress(), ScanVoxels::Bricks::whenRead);
+  ASSERT_TRUE(voxels);
+  EXPECT_TRUE(voxels->readsBricks());
+  EXPECT_EQ(voxels->bricks(), nullptr) << "nobody reads slices";
+  std::weak_ptr<const BrickVolume> made;
+  {
+    const ScanVoxels one = voxels->withBricks(), other = ScanVoxels(*voxels).withBricks();
+    made = one.bricks();
+    ASSERT_FALSE(made.expired());
+    EXPECT_EQ(one.bricks(), other.bricks()) << "one copy for all who read them";
+    EXPECT_EQ(one.source(one.grid(), 0.0).inLayoutFor({}).layout, VoxelLayout::bricked);
+  }
+  EXPECT_TRUE(made.expired()) << "given back by the last who read them";
+
+  // A scanner holds them as long as its images are slices, and shows what one shows that has them always.
+  ScanSubject subject = test::livingSubject();
+  const Grid placed = volume->grid;
+  subject.voxels = *voxels;
+  subject.placedGrid = placed;
+  ScanSubject withAlways = subject;
+  withAlways.voxels = ScanVoxels::of(volume).value();
+  ASSERT_NE(withAlways.voxels.bricks(), nullptr);
+  Scanner scanner, always;
+  scanner.show(subject);
+  always.show(withAlways);
+  const auto held = [&] { return voxels->withBricks().bricks().use_count() > 1; };
+  ScanState state = test::movingState(60);
+  for (const bool formsEchoes : {true, false, true}) {
+    state.scene.liveEchoes.reset();
+    if (formsEchoes) state.scene.liveEchoes.emplace();
+    for (const double depth_mm : {30.0, 60.0}) {
+      state.knobs.depth_mm = depth_mm;
+      const DisplayImage a = scanner.make(state, 200, 160), b = always.make(state, 200, 160);
+      for (int y = 0; y < 160; ++y) ASSERT_TRUE(std::equal(a.grey.row(y), a.grey.row(y) + 200, b.grey.row(y))) << y;
+      EXPECT_EQ(held(), !formsEchoes);
+    }
+  }
+  state.scene.liveEchoes.reset();
+  static_cast<void>(scanner.make(state, 200, 160));
+  EXPECT_TRUE(held());
+  scanner.clear();
+  EXPECT_FALSE(held()) << "what is no longer scanned holds nothing";
+}
+
 TEST_F(LayoutsKept, AreTimedAgainWhenTheFileIsDamagedOrOld) {
   const nlohmann::json good = tableOf(timesFor(LayoutChoice()));
   const auto isTimedAgain = [&] {

@@ -8,22 +8,37 @@
 
 namespace ew {
 
+namespace {
+
+/// Whether images of this plan show voxels, and not only what is formed anew of the maps of tissue.
+bool readsVoxels(const Plan& plan) {
+  return std::any_of(plan.steps.begin(), plan.steps.end(), [](const Step& step) {
+    return step.kind == StepKind::sampleWeave || step.kind == StepKind::sampleLinear || step.kind == StepKind::sampleCubic ||
+           step.kind == StepKind::ownGrain;
+  });
+}
+
+}  // namespace
+
 std::size_t framesToSettle(double persistence) {
   constexpr double kMost = 0.95;
   return persistence > 0.0 ? 1 + static_cast<std::size_t>(std::ceil(std::log(0.5 / 255.0) / std::log(std::min(persistence, kMost)))) : 0;
 }
 
 void Scanner::show(ScanSubject subject) {
+  sliced_.reset();
   subject_ = std::move(subject);
   maker_.forget();
 }
 
 void Scanner::refine(ScanSubject better) {
   EW_EXPECTS(subject_.has_value());
+  sliced_.reset();
   subject_ = std::move(better);
 }
 
 void Scanner::clear() {
+  sliced_.reset();
   subject_.reset();
   maker_.forget();
 }
@@ -68,8 +83,13 @@ void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
 DisplayImage Scanner::make(const ScanState& state, int width_px, int height_px) {
   prepare(state, width_px, height_px);
   FrameInput input;
+  if (!readsVoxels(plan()))
+    sliced_.reset();
+  else if (!sliced_)
+    sliced_ = subject_->voxels.withBricks();
+  const ScanVoxels& voxels = sliced_ ? *sliced_ : subject_->voxels;
   // Zooming out, a weave undersamples as the paper's does; the better qualities read a coarser level.
-  input.echo = subject_->voxels.source(subject_->placedGrid, state.knobs.quality == Quality::weave ? 0.0 : geometry().pixel_mm);
+  input.echo = voxels.source(subject_->placedGrid, state.knobs.quality == Quality::weave ? 0.0 : geometry().pixel_mm);
   if (subject_->labels) input.labels = VolumeView<const std::uint8_t>{subject_->labels->echo.data(), subject_->placedLabels};
   if (subject_->tissue) {
     input.tissue = subject_->tissue.get();

@@ -1,6 +1,7 @@
 #include "ew/scanning/subject.h"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 #include "ew/core/contract.h"
@@ -25,6 +26,32 @@ bool bricksFit(const Volume& volume) {
 
 }  // namespace
 
+/// Bricks of a volume that are there as long as somebody reads them. Known to all copies of its voxels, on any thread.
+class ScanVoxels::NeededBricks {
+ public:
+  /// @return null when there is no memory for them
+  [[nodiscard]] std::shared_ptr<const BrickVolume> of(const Volume& volume) {
+    const std::lock_guard lock(guard_);
+    if (auto there = made_.lock()) return there;
+    if (!bricksFit(volume)) return nullptr;
+    auto bricks = bricksOf(volume.view(), kLevels, 0, noProgress());
+    if (!bricks) return nullptr;
+    auto made = std::make_shared<const BrickVolume>(std::move(*bricks));
+    made_ = made;
+    return made;
+  }
+
+ private:
+  std::mutex guard_;
+  std::weak_ptr<const BrickVolume> made_;
+};
+
+ScanVoxels ScanVoxels::withBricks() const {
+  ScanVoxels held = *this;
+  if (neededBricks_ && !bricks_) held.bricks_ = neededBricks_->of(*volume_);
+  return held;
+}
+
 ScanVoxels ScanVoxels::asStored(std::shared_ptr<const Volume> volume) {
   EW_EXPECTS(volume != nullptr);
   ScanVoxels voxels;
@@ -47,13 +74,17 @@ Result<ScanVoxels> ScanVoxels::inBothLayouts(std::shared_ptr<const Volume> volum
   return voxels;
 }
 
-Result<ScanVoxels> ScanVoxels::of(std::shared_ptr<const Volume> volume, Progress& progress) {
+Result<ScanVoxels> ScanVoxels::of(std::shared_ptr<const Volume> volume, Progress& progress, Bricks when) {
   EW_EXPECTS(volume != nullptr);
   if (isSmall(*volume) || !bricksFit(*volume)) return asStored(std::move(volume));
   const std::optional<LayoutTimes> times = readLayoutTimes(cacheFolder(), volume->echo.size());
   ScanVoxels stored = asStored(volume);
   stored.layoutTimes_ = times;
   if (times && times->choice().none()) return stored;
+  if (times && when == Bricks::whenRead) {
+    stored.neededBricks_ = std::make_shared<NeededBricks>();
+    return stored;
+  }
   auto both = inBothLayouts(volume, kLevels, times, progress);
   if (!both) {
     if (both.error().code == ErrorCode::cancelled) return both;
@@ -62,7 +93,9 @@ Result<ScanVoxels> ScanVoxels::of(std::shared_ptr<const Volume> volume, Progress
   if (!times) keepLayoutTimes(cacheFolder(), volume->echo.size(), *both->layoutTimes_);
   stored.layoutTimes_ = both->layoutTimes_;
   if (both->layoutTimes_->choice().none()) return stored;
-  return both;
+  if (when == Bricks::now) return both;
+  stored.neededBricks_ = std::make_shared<NeededBricks>();
+  return stored;
 }
 
 bool ScanVoxels::isSmall(const Volume& volume) { return volume.echo.size() <= kSmall_bytes; }
@@ -152,8 +185,11 @@ Result<CaseContents> readContents(const Case& opened, Progress& progress, const 
   auto echo = loadCaseVolume(opened, reading, options);
   if (!echo) return passOn(echo.error());
   auto volume = std::make_shared<const Volume>(std::move(echo->volume));
-  // Nothing slices voxels where there are the images they were made of.
-  auto voxels = echo->frames ? Result<ScanVoxels>(ScanVoxels::asStored(std::move(volume))) : ScanVoxels::of(std::move(volume), bricking);
+  // Nothing slices voxels where there are the images they were made of, nor those of a drawn patient as long as echoes are formed anew.
+  const bool formsEchoes = opened.scene.liveEchoes && echo->tissue && !echo->tissue->isRecorded;
+  const auto when = formsEchoes ? ScanVoxels::Bricks::whenRead : ScanVoxels::Bricks::now;
+  auto voxels =
+      echo->frames ? Result<ScanVoxels>(ScanVoxels::asStored(std::move(volume))) : ScanVoxels::of(std::move(volume), bricking, when);
   if (!voxels) return passOn(voxels.error());
   voxels->readFrom(std::move(echo->frames));
   CaseContents contents{.voxels = std::move(*voxels),

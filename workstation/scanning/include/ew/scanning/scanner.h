@@ -61,6 +61,7 @@ class Scanner {
  private:
   FrameMaker maker_;
   std::optional<ScanSubject> subject_;
+  std::optional<ScanVoxels> sliced_;  ///< the subject's, with their bricks as long as images are slices
 };
 
 }  // namespace ew

@@ -27,10 +27,13 @@ class FrameStack;
 class ScanVoxels {
  public:
   ScanVoxels() = default;
+  /// When bricks are made: with the volume, or when somebody reads slices of it (withBricks), and then only as long as somebody does.
+  enum class Bricks { now, whenRead };
   /// Bricks are made beside the volume where they make some slices faster and at least half of the free memory stays free. Which layout
   /// is faster for which slices is timed at the first volume of about this size, which takes 0.15 s, and kept in the cache (decision 0030).
   /// @error cancelled
-  [[nodiscard]] static Result<ScanVoxels> of(std::shared_ptr<const Volume> volume, Progress& progress = noProgress());
+  [[nodiscard]] static Result<ScanVoxels> of(std::shared_ptr<const Volume> volume, Progress& progress = noProgress(),
+                                             Bricks when = Bricks::now);
   /// The volume as it lies: for a few slices that are not worth the bricks.
   [[nodiscard]] static ScanVoxels asStored(std::shared_ptr<const Volume> volume);
   /// Bricks in `levels` resolutions beside the rows; each slice is read as `times` says, which nothing makes measure here and now.
@@ -55,17 +58,25 @@ class ScanVoxels {
   [[nodiscard]] const Grid& grid() const;
   /// @param placed where they lie now, of the same dims as grid()
   /// @param pixel_mm of the image: zooming out may read a coarser level; 0: the finest whatever the image
+  /// @return valid as long as these voxels are there; without the bricks that would have to be made (withBricks)
   [[nodiscard]] SliceSource source(const Grid& placed, double pixel_mm) const;
   /// Null when they stay in their file.
   [[nodiscard]] const std::shared_ptr<const Volume>& volume() const { return volume_; }
-  /// Null when every slice reads them as they lie.
+  /// Null when every slice reads them as they lie, and where bricks are made when slices are read.
   [[nodiscard]] const std::shared_ptr<const BrickVolume>& bricks() const { return bricks_; }
+  /// Whether some slices are read from bricks, which may have to be made first.
+  [[nodiscard]] bool readsBricks() const { return bricks_ != nullptr || neededBricks_ != nullptr; }
+  /// The same with the bricks that slices of it are read from, for as long as somebody has a copy of what is returned: those that somebody
+  /// else has already, or made now. As it is when there are none to be made, or no memory for them.
+  [[nodiscard]] ScanVoxels withBricks() const;
   /// @error notReadable when a file they stay in was changed since
   [[nodiscard]] Result<void> unchanged() const;
 
  private:
+  class NeededBricks;
   std::shared_ptr<const Volume> volume_;
   std::shared_ptr<const BrickVolume> bricks_;
+  std::shared_ptr<NeededBricks> neededBricks_;  ///< null: those there are were made with the volume
   std::shared_ptr<const MappedVolume> mapped_;
   std::shared_ptr<const FrameStack> frames_;
   std::optional<LayoutTimes> layoutTimes_;

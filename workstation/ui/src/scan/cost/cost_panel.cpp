@@ -198,7 +198,8 @@ void CostPanel::measure() {
         CostOptions options;
         options.threads = 0;  // as the window makes its own frames
         FrameInput seen;
-        seen.echo = subject.voxels.source(subject.placedGrid, 0.0);
+        const ScanVoxels voxels = formsEchoes(scene) ? subject.voxels : subject.voxels.withBricks();
+        seen.echo = voxels.source(subject.placedGrid, 0.0);
         if (subject.labels) seen.labels = VolumeView<const std::uint8_t>{subject.labels->echo.data(), subject.placedLabels};
         seen.tissue = subject.tissue.get();
         seen.tissueGrid = subject.placedTissue;
@@ -269,7 +270,7 @@ void CostPanel::showLayout() {
   const auto ms = [](double time_us) { return QLocale().toString(1e-3 * time_us, 'f', 2); };
   const LayoutPair mean = times->mean();
   const QString rows_ms = ms(mean.rows_us), bricks_ms = ms(mean.bricks_us);
-  if (!subject->voxels.bricks())
+  if (!subject->voxels.readsBricks())
     layout_->setText(tr("Voxels are read as they lie: a slice takes %1 ms, in bricks %2 ms.").arg(rows_ms, bricks_ms));
   else if (times->choice().all())
     layout_->setText(tr("Voxels are read in bricks: a slice takes %1 ms, as they lie %2 ms.").arg(bricks_ms, rows_ms));
