@@ -24,6 +24,7 @@ void ImageMaker::show(std::shared_ptr<const ScanExcerpt> scan, std::optional<Sca
   wish_.reset();
   latest_.reset();
   source_ = scan && subject ? std::make_shared<const Source>(Source{std::move(scan), std::move(*subject)}) : nullptr;
+  changed_.notify_all();  // what images were made of may be a volume that nobody else holds
 }
 
 void ImageMaker::want(std::size_t frame, const QSize& size_px) {
@@ -44,8 +45,15 @@ void ImageMaker::run() {
   std::unique_ptr<Replay> replay;
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [this] { return ends_ || wish_.has_value(); });
+    changed_.wait(lock, [this, &at] { return ends_ || wish_.has_value() || (at && at != source_); });
     if (ends_) return;
+    if (at && at != source_) {
+      lock.unlock();
+      replay.reset();
+      at.reset();
+      lock.lock();
+      continue;
+    }
     const Wish wish = *std::exchange(wish_, std::nullopt);
     const std::shared_ptr<const Source> source = source_;
     const std::uint64_t number = sourceNumber_;
@@ -54,7 +62,7 @@ void ImageMaker::run() {
     auto made = std::make_shared<ReplayImage>();
     if (source) {
       const ScanLog& log = source->scan->recording.log;
-      if (source != at) replay = std::make_unique<Replay>(log, source->subject);
+      if (!at) replay = std::make_unique<Replay>(log, source->subject);
       at = source;
       made->image = imageOf(replay->make(wish.frame, wish.size_px.width(), wish.size_px.height())).copy();
       made->geometry = replay->scanner().geometry();
