@@ -263,7 +263,8 @@ void ImageView::paintSettings(QPainter& painter) const {
   for (int n = 0; n < lines.size(); ++n) {
     const bool differs = lines[n].startsWith(QStringLiteral("≠"));
     painter.setPen(differs ? kDiffers : kScanQuiet);
-    const QRectF room(kGrid_px + wide * (n / rows), top + row * (n % rows), wide - kGrid_px, row);
+    const int column = n / rows;
+    const QRectF room(kGrid_px + wide * column, top + row * (n % rows), wide - kGrid_px, row);
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(lines[n], Qt::ElideRight, static_cast<int>(room.width())));
   }

@@ -417,10 +417,11 @@ GreyImage joinedAcross(const Volume& left, const Volume& right, double half_mm) 
   }
   const double scale = sumRight > 0.0 ? sumLeft / sumRight : 1.0;
   GreyImage out(left.grid.dims.x, left.grid.dims.y);
+  const int seam = out.width / 2;
   for (int y = 0; y < out.height; ++y) {
     for (int x = 0; x < out.width; ++x) {
       const std::size_t n = left.grid.indexOf(x, y, 0);
-      const double at_mm = (x - left.grid.dims.x / 2) * kPixel_mm;
+      const double at_mm = (x - seam) * kPixel_mm;
       double share = half_mm > 0.0 ? std::clamp(0.5 + at_mm / (2.0 * half_mm), 0.0, 1.0) : (at_mm < 0.0 ? 0.0 : 1.0);
       if (left.coverageAt(n) == Coverage::absent) share = 1.0;
       if (right.coverageAt(n) == Coverage::absent) share = 0.0;
