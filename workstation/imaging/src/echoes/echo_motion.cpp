@@ -88,6 +88,23 @@ void EchoMotion::take(const TissueMotion& motion, const BodyState& body, double 
   }
 }
 
+void EchoMotion::configure(const EchoLayout& layout) {
+  const FanShape& fan = layout.face;
+  const FanShape::Box box = fan.box(kStands_mm);
+  faceOrigin_mm_ = {-(box.halfWidth_mm + kNode_mm), box.top_mm - kFarthestSkin_mm};
+  faceDims_ = {static_cast<int>(std::ceil(-2.0 * faceOrigin_mm_.x / kNode_mm)) + 1,
+               static_cast<int>(std::ceil((kStands_mm + kFarthestSkin_mm - faceOrigin_mm_.y) / kNode_mm)) + 1, 2};
+  faceNodes_.clear();
+  for (int j = 0; j < faceDims_.y; ++j)
+    for (int i = 0; i < faceDims_.x; ++i) {
+      const glm::dvec2 rest_mm = glm::dvec2(i, j) * kNode_mm + faceOrigin_mm_;
+      const FanShape::Place at = fan.placeOf(rest_mm);
+      const double along = (std::clamp(at.across, -1.0, 1.0) + 1.0) * 0.5 * (kFacePlaces - 1);
+      const int place = std::min(static_cast<int>(along), kFacePlaces - 2);
+      faceNodes_.push_back({place, along - place, at.depth_mm, fan.directionThrough(rest_mm)});
+    }
+}
+
 void EchoMotion::press(const EchoLayout& layout, const SliceSource& level, const Transform<frame::Voxel, frame::Probe>& probeToVoxel) {
   const FanShape& fan = layout.face;
   const auto isTissue = [&](const glm::dvec2& p_mm) {
@@ -122,36 +139,25 @@ void EchoMotion::press(const EchoLayout& layout, const SliceSource& level, const
   }
   if (most_mm < kLeastPress_mm) return;
 
-  const FanShape::Box box = fan.box(kStands_mm);
-  const double lowest_mm = box.top_mm - kFarthestSkin_mm, width_mm = box.halfWidth_mm + kNode_mm;
-  const glm::ivec3 dims(static_cast<int>(std::ceil(2.0 * width_mm / kNode_mm)) + 1,
-                        static_cast<int>(std::ceil((kStands_mm + kFarthestSkin_mm - lowest_mm) / kNode_mm)) + 1, 2);
-  pressed_.resize(samplesIn(dims));
-  const std::size_t plane = pressed_.size() / 2;
-  for (int j = 0; j < dims.y; ++j)
-    for (int i = 0; i < dims.x; ++i) {
-      const glm::dvec2 rest_mm(i * kNode_mm - width_mm, j * kNode_mm + lowest_mm);
-      const FanShape::Place at = fan.placeOf(rest_mm);
-      const double along = (std::clamp(at.across, -1.0, 1.0) + 1.0) * 0.5 * (kFacePlaces - 1);
-      const int low = std::min(static_cast<int>(along), kFacePlaces - 2);
-      const double press = std::lerp(press_mm[static_cast<std::size_t>(low)], press_mm[static_cast<std::size_t>(low) + 1], along - low);
-      const double below_mm = std::max(at.depth_mm + press, 0.0);
-      const double share =
-          std::exp(-below_mm * below_mm / (kGives_mm * kGives_mm)) * std::clamp((kStands_mm - below_mm) / kFades_mm, 0.0, 1.0);
-      const glm::dvec2 shift_mm = press * share * fan.directionThrough(rest_mm);
-      const std::size_t node = static_cast<std::size_t>(j) * static_cast<std::size_t>(dims.x) + static_cast<std::size_t>(i);
-      pressed_[node] = pressed_[node + plane] = glm::vec3(shift_mm, 0.0);
-    }
+  pressed_.resize(2 * faceNodes_.size());
+  for (std::size_t node = 0; node < faceNodes_.size(); ++node) {
+    const FaceNode& at = faceNodes_[node];
+    const auto low = static_cast<std::size_t>(at.place);
+    const double press = std::lerp(press_mm[low], press_mm[low + 1], at.part);
+    const double below_mm = std::max(at.depth_mm + press, 0.0), stays = std::clamp((kStands_mm - below_mm) / kFades_mm, 0.0, 1.0);
+    const double share = stays > 0.0 ? stays * std::exp(-below_mm * below_mm / (kGives_mm * kGives_mm)) : 0.0;
+    pressed_[node] = pressed_[node + faceNodes_.size()] = glm::vec3(press * share * at.direction, 0.0);
+  }
   constexpr double kAside_mm = 50.0;  // the same at all places beside the slice
   glm::dmat3 toNode(1.0 / kNode_mm);
   toNode[2] = {0.0, 0.0, 0.5 / kAside_mm};
   fields_.push_back({.isEverywhere = true,
                      .probeToNode = glm::mat3(toNode),
-                     .nodeOfProbe = glm::vec3(width_mm / kNode_mm, -lowest_mm / kNode_mm, 0.5),
+                     .nodeOfProbe = glm::vec3(-faceOrigin_mm_ / kNode_mm, 0.5),
                      .toProbe = glm::mat3(1.0F),
-                     .last = glm::vec3(dims - 1),
-                     .row = dims.x,
-                     .plane = static_cast<std::ptrdiff_t>(plane),
+                     .last = glm::vec3(faceDims_ - 1),
+                     .row = faceDims_.x,
+                     .plane = static_cast<std::ptrdiff_t>(faceNodes_.size()),
                      .shift = pressed_.data()});
   // Between nodes of the field and of whoever asks it, shifts end a little deeper than it does.
   pressedTo_mm_ = static_cast<float>(kStands_mm + kNode_mm + kBeyondStands_mm);

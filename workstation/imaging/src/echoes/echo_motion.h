@@ -18,6 +18,8 @@ namespace ew::detail {
 /// each of their samples what rests there. Everything in the probe frame; "at rest" is where tissue would lie in a body at rest.
 class EchoMotion {
  public:
+  /// What a layout says of the nodes at which tissue gives way to its face.
+  void configure(const EchoLayout& layout);
   /// From here on nothing moves.
   void rest() {
     fields_.clear();
@@ -101,7 +103,18 @@ class EchoMotion {
     return nodes_[static_cast<std::size_t>((side * knots_ + knot) * columns_ + column)];
   }
 
+  /// Of press(): a node's place in front of the face.
+  struct FaceNode {
+    int place = 0;      ///< along the face, the lower of two
+    double part = 0.0;  ///< of the way to the next
+    double depth_mm = 0.0;
+    glm::dvec2 direction{0.0};
+  };
+
   std::vector<Field> fields_;
+  std::vector<FaceNode> faceNodes_;  ///< of one of the two planes of nodes, row after row
+  glm::ivec3 faceDims_{0};
+  glm::dvec2 faceOrigin_mm_{0.0};   ///< the first node
   std::vector<glm::vec3> pressed_;  ///< shifts at the nodes of press()
   float deepest_mm_ = 0.0F;         ///< from there on nothing moves
   float pressedTo_mm_ = 0.0F;       ///< the same of press() alone

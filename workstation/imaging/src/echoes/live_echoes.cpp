@@ -29,6 +29,7 @@ void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   losses_.configure(layout_, probe, scene, knobs.carrier_hz);
   reverberation_.configure(layout_, scene);
   reduction_.configure(layout_);
+  motion_.configure(layout_);
   noiseOf_.reset();
   layHaze(effect.haze_db);
 }
