@@ -78,6 +78,67 @@ TEST(LiveEchoes, StayWithTheTissueAndLeaveItWhenTheProbeTurnsOrSlides) {
   EXPECT_LT(correlationWhenMoved(maps, shot, turned(3.0)), 0.6);
 }
 
+/// One maker for image after image, as a window has it: what it keeps between them must not show.
+class KeepingMaker {
+ public:
+  explicit KeepingMaker(int threads) : maker_(threads) {}
+  GreyImage imageOf(const TissueMaps& maps, std::uint64_t version, const Shot& shot) {
+    Knobs knobs = shot.knobs;
+    knobs.greyMap = GreyMap::linear;
+    maker_.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, false, {}, true);
+    FrameInput input = inputOf(maps);
+    input.tissueVersion = version;
+    input.pose.probeToWorld.matrix = shot.probeToWorld;
+    const DisplayImage made = maker_.make(input);
+    GreyImage copy(made.width(), made.height());
+    for (int y = 0; y < copy.height; ++y) std::copy_n(made.grey.row(y), copy.width, viewOf(copy).row(y));
+    return copy;
+  }
+
+ private:
+  FrameMaker maker_;
+};
+
+TEST(LiveEchoes, AreThoseOfAFirstImageWhateverWasKeptOfTheImagesBefore) {
+  TissueMaps maps = tissueOf([](const glm::dvec3& p) { return p.y > 60.0 ? 160.0 : p.x > 10.0 ? 90.0 : 0.0; });
+  addPlane(maps, {.name = "plane"}, 60.3);
+  for (const int threads : {1, 3}) {
+    Shot shot;
+    shot.scene.liveEchoes = LiveEchoesEffect{};
+    KeepingMaker keeping(threads);
+    const auto expectAsFirst = [&](std::uint64_t version, const char* what) {
+      EXPECT_EQ(keeping.imageOf(maps, version, shot), testing::live::imageOf(maps, shot)) << what << ", " << threads << " threads";
+    };
+    expectAsFirst(1, "first");
+    expectAsFirst(1, "the same once more");
+    for (int n = 1; n <= 3; ++n) {
+      shot.probeToWorld[3] = glm::dvec4(0.7 * n, 0.0, 0.4 * n, 1.0);
+      expectAsFirst(1, "moved");
+    }
+    shot.scene.liveEchoes->gain_db += 3.0;
+    expectAsFirst(1, "brighter");
+    shot.scene.liveEchoes->texture_db = 3.0;
+    expectAsFirst(1, "more texture");
+    shot.knobs.carrier_hz = 5e6;
+    expectAsFirst(1, "another lattice");
+    shot.knobs.quality = Quality::weave;
+    expectAsFirst(1, "thinner slice");
+    shot.knobs = {};
+    expectAsFirst(1, "as before");
+    // At the same address.
+    for (std::uint8_t& level : maps.level) level = level > 0 ? static_cast<std::uint8_t>(level - 30) : 120;
+    expectAsFirst(2, "other tissue");
+    for (std::uint8_t& level : maps.level) level = 100;
+    expectAsFirst(0, "tissue that nobody vouches for");
+    for (std::uint8_t& level : maps.level) level = 140;
+    expectAsFirst(0, "and again");
+    expectAsFirst(2, "vouched for anew");
+    const TissueMaps other = tissueOf([](const glm::dvec3& p) { return p.x > 0.0 ? 130.0 : 80.0; }, 1.5);
+    EXPECT_EQ(keeping.imageOf(other, 3, shot), testing::live::imageOf(other, shot)) << "other voxels";
+    maps = tissueOf([](const glm::dvec3& p) { return p.y > 60.0 ? 160.0 : p.x > 10.0 ? 90.0 : 0.0; });
+  }
+}
+
 TEST(LiveEchoes, HaveFinerGrainAtAHigherFrequency) {
   const TissueMaps maps = tissueOf([](const glm::dvec3&) { return 150.0; });
   Shot shot;

@@ -28,6 +28,7 @@ std::size_t framesToSettle(double persistence) {
 void Scanner::show(ScanSubject subject) {
   sliced_.reset();
   subject_ = std::move(subject);
+  seenTissue_.reset();
   maker_.forget();
 }
 
@@ -40,6 +41,7 @@ void Scanner::refine(ScanSubject better) {
 void Scanner::clear() {
   sliced_.reset();
   subject_.reset();
+  seenTissue_.reset();
   maker_.forget();
 }
 
@@ -93,6 +95,11 @@ DisplayImage Scanner::make(const ScanState& state, int width_px, int height_px) 
   if (subject_->labels) input.labels = VolumeView<const std::uint8_t>{subject_->labels->echo.data(), subject_->placedLabels};
   if (subject_->tissue) {
     input.tissue = subject_->tissue.get();
+    if (seenTissue_ != subject_->tissue) {
+      seenTissue_ = subject_->tissue;
+      ++tissueVersion_;
+    }
+    input.tissueVersion = tissueVersion_;
     input.tissueGrid = subject_->placedTissue;
     input.motion = subject_->motion.get();
     input.body = state.body;

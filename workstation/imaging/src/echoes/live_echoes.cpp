@@ -59,8 +59,8 @@ void LiveEchoes::move(const TissueMotion* motion, const BodyState& body, double 
   motion_.find(layout_, bands);
 }
 
-void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld,
-                         Bands& bands) {
+void LiveEchoes::scatter(const TissueMaps& maps, std::uint64_t version, const Grid& placed,
+                         const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands) {
   const Transform<frame::Voxel, frame::Probe> probeToVoxel = placed.worldToVoxel() * probeToWorld;
   const SliceSource level(VolumeView<const std::uint8_t>{maps.level.data(), placed});
   scratch_.resize(static_cast<std::size_t>(bands.threads()));
@@ -70,11 +70,18 @@ void LiveEchoes::scatter(const TissueMaps& maps, const Grid& placed, const Trans
   ScatterTask task = scatterTaskOf(layout_, place, level);
   task.field = fine_.data();
   task.stride = static_cast<std::int32_t>(fineStride_);
+  constexpr int kParts = 3;
+  stores_.resize(static_cast<std::size_t>(kParts * piecesOf(layout_)));
+  if (version == 0 || version != storesOf_ || !task.hasSameScatterers(storedTask_))
+    for (ScattererStore& store : stores_) store.forget();
+  storesOf_ = version;
+  storedTask_ = task;
   bands.run(layout_.rows, [&](int first, int count, int) { std::fill_n(fine_.data() + first * fineStride_, count * fineStride_, 0); });
   const auto addPart = [&](int piece, PartOfPiece part, int slot) {
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
     findBlocks(layout_, place, motion_, level.grid.dims, piece, part, mine.shifts, mine.blocks);
-    addScatterers(task, mine.blocks.data(), mine.blocks.size());
+    const int own = part == PartOfPiece::between ? 2 : part == PartOfPiece::right ? 1 : 0;
+    addScatterers(task, mine.blocks, stores_[static_cast<std::size_t>(kParts * piece + own)]);
   };
   // Every other piece, then those between: two threads never add to the same place. Deep ones, which hold most, come first.
   const int pieces = piecesOf(layout_);

@@ -34,8 +34,10 @@ class LiveEchoes {
   /// @param giving level of tissue that gives way to the face; null: it stands still
   void move(const TissueMotion* motion, const BodyState& body, double strength, const Transform<frame::Probe, frame::World>& motionToProbe,
             const SliceSource* giving, const Transform<frame::Voxel, frame::Probe>& probeToGiving, Bands& bands);
-  /// @param placed where the maps lie now
-  void scatter(const TissueMaps& maps, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld, Bands& bands);
+  /// @param version FrameInput::tissueVersion of the maps
+  /// @param placed  where the maps lie now
+  void scatter(const TissueMaps& maps, std::uint64_t version, const Grid& placed, const Transform<frame::World, frame::Probe>& probeToWorld,
+               Bands& bands);
   void lose(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const SliceSource& level,
             const Transform<frame::Voxel, frame::Probe>& probeToLevel, Bands& bands);
   void reverberate(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, Bands& bands);
@@ -64,6 +66,9 @@ class LiveEchoes {
   EchoMotion motion_;
   double carrier_hz_ = 3.5e6;
   std::vector<Scratch> scratch_;
+  std::vector<ScattererStore> stores_;  ///< by piece and part of it: they are one thread's each
+  std::uint64_t storesOf_ = 0;          ///< version of the maps they are of, seen by this task
+  ScatterTask storedTask_;
   std::vector<float> field_;  ///< lines x columns complex numbers, padded to whole tiles
   std::ptrdiff_t stride_ = 0;
   std::vector<std::int32_t> fine_;  ///< the fine grid: rows x columns complex numbers, and one column more

@@ -1,7 +1,5 @@
 #include "scatterers.h"
 
-#include <cstring>
-
 // The instruction sets left out would only repeat the code of a neighbour.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -9,6 +7,7 @@
 #include "hwy/foreach_target.h"
 //
 #include "echoes/bytes-inl.h"
+#include "echoes/deposits-inl.h"
 #include "effects/powers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,7 +15,7 @@ namespace ew::detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-using namespace ew::HWY_NAMESPACE;  // bytes-inl.h, powers-inl.h
+using namespace ew::HWY_NAMESPACE;  // bytes-inl.h, deposits-inl.h, powers-inl.h
 
 using D = hn::ScalableTag<float>;
 using DI = hn::RebindToSigned<D>;
@@ -29,13 +28,7 @@ HWY_INLINE F set(float value) { return hn::Set(D(), value); }
 HWY_INLINE F plus(F a, F b) { return hn::Add(a, b); }
 HWY_INLINE F times(F a, F b) { return hn::Mul(a, b); }
 
-/// A bijection that spreads every bit: multiply and shift, constants of C. Wellons' search for low bias (public domain).
-HWY_INLINE U spread(U x) {
-  const DU du;
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), hn::Set(du, 0x21f0aaadU));
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), hn::Set(du, 0x735a2d97U));
-  return hn::Xor(x, hn::ShiftRight<15>(x));
-}
+HWY_INLINE U spread(U x) { return spreadOf(DU(), x); }
 
 /// Ten bits of a hash as a place within a cell, 0..1.
 template <int kShift>
@@ -51,9 +44,6 @@ HWY_INLINE F blendBytes(I word, F t) {
   const auto high = hn::ConvertTo(D(), hn::And(hn::ShiftRight<8>(word), hn::Set(di, 255)));
   return plus(low, times(hn::Sub(high, low), t));
 }
-
-/// NearestInt rounds halves differently on different instruction sets.
-HWY_INLINE I roundedOf(F x) { return hn::ConvertTo(DI(), hn::Floor(plus(x, set(0.5F)))); }
 
 HWY_INLINE F nearestWhole(F x) {
   const auto magic = set(12582912.0F);  // 1.5 * 2^23: adding it leaves no room for a fraction
@@ -143,48 +133,6 @@ HWY_INLINE F levelAt(const ScatterTask& task, const ScatterBlock& block, const s
   return hn::IfThenZeroElse(hn::RebindMask(D(), missed), plus(nearer, times(hn::Sub(farther, nearer), tz)));
 }
 
-/// Deposits that wait until the memory has answered.
-struct Pending {
-  static constexpr std::size_t kMost = 96;
-  std::size_t count = 0;
-  std::int32_t* at[kMost];
-  HWY_ALIGN std::int32_t quads[4 * kMost];
-
-  HWY_INLINE void flush() {
-    for (std::size_t n = 0; n < count; ++n) {
-#if HWY_TARGET == HWY_SCALAR
-      for (std::size_t part = 0; part < 4; ++part) at[n][part] += quads[4 * n + part];
-#else
-      const hn::CappedTag<std::int32_t, 4> quad;
-      hn::StoreU(hn::Add(hn::LoadU(quad, at[n]), hn::Load(quad, quads + 4 * n)), quad, at[n]);
-#endif
-    }
-    count = 0;
-  }
-};
-
-/// Queues what is inside, shared by two neighbouring columns.
-HWY_INLINE void deposit(const ScatterTask& task, hn::Mask<D> inside, I cell, F part, F re, F im, Pending& pending) {
-  const D d;
-  const DI di;
-  constexpr std::size_t kLanes = hn::MaxLanes(d);
-  static_assert(2 * kLanes <= Pending::kMost);
-  if (pending.count + kLanes > Pending::kMost) pending.flush();
-  HWY_ALIGN std::int32_t cells[kLanes], quads[4 * kLanes];
-  const auto laterRe = times(re, part), laterIm = times(im, part);
-  hn::Store(cell, di, cells);
-  hn::StoreInterleaved4(roundedOf(hn::Sub(re, laterRe)), roundedOf(hn::Sub(im, laterIm)), roundedOf(laterRe), roundedOf(laterIm), di,
-                        quads);
-  for (std::uint64_t left = bitsOf(d, inside); left != 0; left &= left - 1) {
-    const auto n = static_cast<std::size_t>(__builtin_ctzll(left));
-    std::int32_t* at = task.field + cells[n];
-    __builtin_prefetch(at, 1);
-    pending.at[pending.count] = at;
-    std::memcpy(pending.quads + 4 * pending.count, quads + 4 * n, 4 * sizeof(std::int32_t));
-    ++pending.count;
-  }
-}
-
 /// Asks for the voxels that a block will read.
 HWY_INLINE void announce(const ScatterTask& task, const ScatterBlock& block) {
   const glm::ivec3 reach = glm::ivec3(task.voxelsPerCell * static_cast<float>(kBlockCells)) + 2;
@@ -195,33 +143,92 @@ HWY_INLINE void announce(const ScatterTask& task, const ScatterBlock& block) {
       __builtin_prefetch(task.level + (static_cast<std::ptrdiff_t>(k) * task.dims.y + j) * task.dims.x + from.x);
 }
 
-template <FanShape::Kind kKind, bool kSteers>
-HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, Pending& pending) {
+/// Asks for the scatterers of a block.
+HWY_INLINE void announce(const BlockScatterers& block) {
+  constexpr std::size_t kLine = 64;
+  for (std::size_t offset = 0; offset < sizeof(block); offset += kLine) __builtin_prefetch(reinterpret_cast<const char*>(&block) + offset);
+}
+
+constexpr std::uint64_t kAllLanes = (std::uint64_t{1} << hn::MaxLanes(D())) - 1;
+
+/// Where the scatterers of a vector are within their block, in cells.
+struct Cells {
+  I i, j, k;
+};
+/// In the order of a curve that fills little cubes one after another: a vector that the beams miss is missed as a whole.
+HWY_INLINE Cells cellsFrom(int first) {
+  static_assert(kBlockCells == 4);
+  const DI di;
+  const auto number = hn::Iota(di, first);
+  const auto bit = [&](auto shifted, int value) { return hn::And(shifted, hn::Set(di, value)); };
+  return {hn::Or(bit(number, 1), bit(hn::ShiftRight<2>(number), 2)),
+          hn::Or(bit(hn::ShiftRight<1>(number), 1), bit(hn::ShiftRight<3>(number), 2)),
+          hn::Or(bit(hn::ShiftRight<2>(number), 1), bit(hn::ShiftRight<4>(number), 2))};
+}
+
+constexpr std::uint32_t kTaken = 0x80000000U;  // BlockScatterers::place
+
+HWY_INLINE U hashOf(const ScatterTask& task, const ScatterBlock& block, const Cells& cells) {
+  const DU du;
+  const auto term = [&](I at, std::size_t axis, std::uint32_t factor) {
+    return hn::Mul(hn::Add(hn::BitCast(du, at), hn::Set(du, block.cell[axis])), hn::Set(du, factor));
+  };
+  return spread(hn::Add(hn::Add(term(cells.i, 0, 0x9E3779B1U), term(cells.j, 1, 0x85EBCA77U)),
+                        hn::Add(term(cells.k, 2, 0xC2B2AE3DU), hn::Set(du, task.seed))));
+}
+
+/// Strengths and signs of a vector, which do not depend on where the probe is.
+HWY_NOINLINE void makeStrengths(const ScatterTask& task, const ScatterBlock& block, std::size_t first, BlockScatterers& made) {
   const D d;
   const DI di;
   const DU du;
-  constexpr int kCells = kBlockCells * kBlockCells * kBlockCells;
-  static_assert(kBlockCells == 4);
   // Offsets count from the block's first voxel inside the map, so that they stay small in a volume of any size.
   const glm::ivec3 base = glm::clamp(block.voxel, glm::ivec3(0), glm::max(task.dims - 1, 0));
   const std::uint8_t* from = task.level + (static_cast<std::ptrdiff_t>(base.z) * task.dims.y + base.y) * task.dims.x + base.x;
   const auto last = static_cast<std::int32_t>(std::min<std::ptrdiff_t>(task.levelEnd - from - 4, 1 << 30));
+  const Cells cells = cellsFrom(static_cast<int>(first));
+  const auto hash = hashOf(task, block, cells);
+  const auto u = plus(hn::ConvertTo(d, cells.i), placeOf<0>(hash)), v = plus(hn::ConvertTo(d, cells.j), placeOf<10>(hash)),
+             w = plus(hn::ConvertTo(d, cells.k), placeOf<20>(hash));
+  const auto level = levelAt(task, block, from, last, base, u, v, w);
+  const std::uint64_t sounding = bitsOf(d, hn::Gt(level, hn::Zero(d)));
+  made.known |= kAllLanes << first;
+  made.sounding |= sounding << first;
+  if (sounding == 0) return;
+  // Four bytes of another hash, each even: their sum is nearly normal.
+  const auto other = spread(hash);
+  const auto byte = [&](auto shifted) { return hn::And(shifted, hn::Set(du, 255U)); };
+  const auto bytes = hn::Add(hn::Add(byte(other), byte(hn::ShiftRight<8>(other))),
+                             hn::Add(byte(hn::ShiftRight<16>(other)), byte(hn::ShiftRight<24>(other))));
+  const auto normal = times(hn::Sub(hn::ConvertTo(d, hn::BitCast(di, bytes)), set(510.0F)), set(1.0F / 147.8F));
+  const auto strength = plus(plus(set(task.log2OfZero), times(level, set(task.log2PerLevel))), times(normal, set(task.log2OfTexture)));
+  const auto sign = hn::And(spread(hn::Add(other, hn::Set(du, 0x9E3779B9U))), hn::Set(du, kTaken));
+  hn::StoreU(hn::Or(hn::And(hash, hn::Set(du, kTaken - 1)), sign), du, made.place.data() + first);
+  hn::StoreU(strength, d, made.strength_log2.data() + first);
+}
+
+template <FanShape::Kind kKind, bool kSteers>
+HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, BlockScatterers& scatterers, Pending& pending) {
+  const D d;
+  const DI di;
+  const DU du;
   std::array<glm::vec3, 3> step_mm = task.cellToProbe_mm;
   for (std::size_t n = 0; n < step_mm.size(); ++n) step_mm[n] += block.stretch_mm[n];
-  for (int first = 0; first < kCells; first += static_cast<int>(hn::Lanes(d))) {
-    // In the order of a curve that fills little cubes one after another: a vector that the beams miss is missed as a whole.
-    const auto number = hn::Iota(di, first);
-    const auto bit = [&](auto shifted, int value) { return hn::And(shifted, hn::Set(di, value)); };
-    const auto i = hn::Or(bit(number, 1), bit(hn::ShiftRight<2>(number), 2)),
-               j = hn::Or(bit(hn::ShiftRight<1>(number), 1), bit(hn::ShiftRight<3>(number), 2)),
-               k = hn::Or(bit(hn::ShiftRight<2>(number), 1), bit(hn::ShiftRight<4>(number), 2));
-    const auto term = [&](I at, std::size_t axis, std::uint32_t factor) {
-      return hn::Mul(hn::Add(hn::BitCast(du, at), hn::Set(du, block.cell[axis])), hn::Set(du, factor));
-    };
-    const auto hash = spread(
-        hn::Add(hn::Add(term(i, 0, 0x9E3779B1U), term(j, 1, 0x85EBCA77U)), hn::Add(term(k, 2, 0xC2B2AE3DU), hn::Set(du, task.seed))));
-    const auto u = plus(hn::ConvertTo(d, i), placeOf<0>(hash)), v = plus(hn::ConvertTo(d, j), placeOf<10>(hash)),
-               w = plus(hn::ConvertTo(d, k), placeOf<20>(hash));
+  for (std::size_t first = 0; first < BlockScatterers::kCount; first += hn::Lanes(d)) {
+    const std::uint64_t lanes = kAllLanes << first;
+    const bool isKnown = (scatterers.known & lanes) != 0;
+    if (isKnown && (scatterers.sounding & lanes) == 0) continue;
+    const Cells cells = cellsFrom(static_cast<int>(first));
+    U places;
+    if (HWY_LIKELY((scatterers.placed & lanes) != 0)) {
+      places = hn::LoadU(du, scatterers.place.data() + first);
+    } else {
+      places = hashOf(task, block, cells);
+      hn::StoreU(places, du, scatterers.place.data() + first);
+      scatterers.placed |= lanes;
+    }
+    const auto u = plus(hn::ConvertTo(d, cells.i), placeOf<0>(places)), v = plus(hn::ConvertTo(d, cells.j), placeOf<10>(places)),
+               w = plus(hn::ConvertTo(d, cells.k), placeOf<20>(places));
     const auto along = [&](int axis) {
       return plus(plus(set(block.probe_mm[axis]), times(u, set(step_mm[0][axis]))),
                   plus(times(v, set(step_mm[1][axis])), times(w, set(step_mm[2][axis]))));
@@ -244,50 +251,63 @@ HWY_NOINLINE void addBlock(const ScatterTask& task, const ScatterBlock& block, P
     const auto inside = hn::And(hn::And(hn::Lt(exponent, set(task.cut)), hn::And(hn::Gt(row, set(-0.4F)), hn::Lt(row, set(task.lastRow)))),
                                 hn::And(hn::Ge(column, hn::Zero(d)), hn::Lt(column, set(task.lastColumn))));
     if (hn::AllFalse(d, inside)) continue;
-    const auto level = levelAt(task, block, from, last, base, u, v, w);
-    const auto sounding = hn::And(inside, hn::Gt(level, hn::Zero(d)));
-    if (hn::AllFalse(d, sounding)) continue;
+    if (HWY_UNLIKELY(!isKnown)) {
+      makeStrengths(task, block, first, scatterers);
+      places = hn::LoadU(du, scatterers.place.data() + first);
+    }
+    const std::uint64_t added = bitsOf(d, inside) & (scatterers.sounding >> first);
+    if (added == 0) continue;
 
-    // Four bytes of another hash, each even: their sum is nearly normal.
-    const auto other = spread(hash);
-    const auto byte = [&](auto shifted) { return hn::And(shifted, hn::Set(du, 255U)); };
-    const auto bytes = hn::Add(hn::Add(byte(other), byte(hn::ShiftRight<8>(other))),
-                               hn::Add(byte(hn::ShiftRight<16>(other)), byte(hn::ShiftRight<24>(other))));
-    const auto normal = times(hn::Sub(hn::ConvertTo(d, hn::BitCast(di, bytes)), set(510.0F)), set(1.0F / 147.8F));
-    const auto strength = plus(plus(set(task.log2OfZero), times(level, set(task.log2PerLevel))), times(normal, set(task.log2OfTexture)));
+    const auto strength = hn::LoadU(d, scatterers.strength_log2.data() + first);
     const auto fall = times(hn::IfThenElseZero(inside, exponent), set(1.44269504F));
     const auto amplitude = hn::Div(exp2Of(d, hn::Sub(strength, fall)), hn::Sqrt(hn::Sqrt(widening)));
-    const auto sign = hn::BitCast(d, hn::And(spread(hn::Add(other, hn::Set(du, 0x9E3779B9U))), hn::Set(du, 0x80000000U)));
-    const auto kept = hn::Xor(hn::IfThenElseZero(sounding, amplitude), sign);
+    const auto kept = hn::Xor(amplitude, hn::BitCast(d, hn::And(places, hn::Set(du, kTaken))));
     F re, im, turns = times(path, set(task.turnsPerMm));
     if constexpr (kSteers) turns = plus(turns, times(across, set(task.leadTurns)));
     phaseOf(hn::IfThenElseZero(inside, turns), re, im);
-    const auto wholeRow = roundedOf(hn::IfThenElseZero(inside, row));
+    const auto wholeRow = roundedOf(d, hn::IfThenElseZero(inside, row));
     const auto insideColumn = hn::IfThenElseZero(inside, column);
     const auto wholeColumn = hn::ConvertTo(di, insideColumn);
     const auto part = hn::Sub(insideColumn, hn::ConvertTo(d, wholeColumn));
     const auto cell = hn::ShiftLeft<1>(hn::Add(hn::Mul(wholeRow, hn::Set(di, task.stride / 2)), wholeColumn));
-    deposit(task, sounding, cell, part, times(kept, re), times(kept, im), pending);
+    deposit(d, task.field, added, cell, part, times(kept, re), times(kept, im), pending);
   }
 }
 
-void addScatterersOf(const ScatterTask& task, const ScatterBlock* blocks, std::size_t count) {
+HWY_INLINE void addBlockOf(const ScatterTask& task, const ScatterBlock& block, BlockScatterers& scatterers, Pending& pending) {
+  using Kind = FanShape::Kind;
+  switch (task.kind) {
+    case Kind::parallel:
+      task.steers ? addBlock<Kind::parallel, true>(task, block, scatterers, pending)
+                  : addBlock<Kind::parallel, false>(task, block, scatterers, pending);
+      break;
+    case Kind::trapezoid:
+      addBlock<Kind::trapezoid, false>(task, block, scatterers, pending);
+      break;
+    case Kind::sector:
+      task.steers ? addBlock<Kind::sector, true>(task, block, scatterers, pending)
+                  : addBlock<Kind::sector, false>(task, block, scatterers, pending);
+      break;
+  }
+}
+
+void addScatterersOf(const ScatterTask& task, const std::vector<ScatterBlock>& blocks, ScattererStore& store) {
   Pending pending;
-  for (std::size_t n = 0; n < count; ++n) {
-    if (n + 1 < count) announce(task, blocks[n + 1]);
-    switch (task.kind) {
-      case FanShape::Kind::parallel:
-        task.steers ? addBlock<FanShape::Kind::parallel, true>(task, blocks[n], pending)
-                    : addBlock<FanShape::Kind::parallel, false>(task, blocks[n], pending);
-        break;
-      case FanShape::Kind::trapezoid:
-        addBlock<FanShape::Kind::trapezoid, false>(task, blocks[n], pending);
-        break;
-      case FanShape::Kind::sector:
-        task.steers ? addBlock<FanShape::Kind::sector, true>(task, blocks[n], pending)
-                    : addBlock<FanShape::Kind::sector, false>(task, blocks[n], pending);
-        break;
-    }
+  store.begin(blocks.size());
+  BlockScatterers* next = nullptr;
+  const auto ask = [&](std::size_t n) {
+    bool isNew = false;
+    next = &store.at(blocks[n].cell, isNew);
+    if (isNew)
+      announce(task, blocks[n]);
+    else
+      announce(*next);
+  };
+  if (!blocks.empty()) ask(0);
+  for (std::size_t n = 0; n < blocks.size(); ++n) {
+    BlockScatterers& own = *next;
+    if (n + 1 < blocks.size()) ask(n + 1);
+    addBlockOf(task, blocks[n], own, pending);
   }
   pending.flush();
 }
@@ -302,8 +322,8 @@ namespace ew::detail {
 
 HWY_EXPORT(addScatterersOf);
 
-void addScatterers(const ScatterTask& task, const ScatterBlock* blocks, std::size_t count) {
-  HWY_DYNAMIC_DISPATCH(addScatterersOf)(task, blocks, count);
+void addScatterers(const ScatterTask& task, const std::vector<ScatterBlock>& blocks, ScattererStore& store) {
+  HWY_DYNAMIC_DISPATCH(addScatterersOf)(task, blocks, store);
 }
 
 }  // namespace ew::detail

@@ -9,6 +9,7 @@
 #include "echo_layout.h"
 #include "echo_motion.h"
 #include "ew/imaging/slice_source.h"
+#include "scatterer_store.h"
 
 namespace ew::detail {
 
@@ -58,6 +59,12 @@ struct ScatterTask {
 
   std::int32_t* field = nullptr;  ///< complex numbers, row after row
   std::int32_t stride = 0;        ///< of a row
+
+  /// Whether blocks hold the same scatterers as with another task, of the same tissue.
+  [[nodiscard]] bool hasSameScatterers(const ScatterTask& other) const {
+    return seed == other.seed && voxelsPerCell == other.voxelsPerCell && level == other.level && dims == other.dims &&
+           log2PerLevel == other.log2PerLevel && log2OfTexture == other.log2OfTexture && log2OfZero == other.log2OfZero;
+  }
 };
 
 /// One block: where its lowest corner lies.
@@ -73,7 +80,8 @@ struct ScatterBlock {
 };
 
 /// Adds the scatterers of these blocks to the field. The same bits on every instruction set.
-void addScatterers(const ScatterTask& task, const ScatterBlock* blocks, std::size_t count);
+/// @param store of the same task but for where the probe is
+void addScatterers(const ScatterTask& task, const std::vector<ScatterBlock>& blocks, ScattererStore& store);
 
 /// Where the tissue lies in the probe frame, in the lattice's own cells.
 struct EchoPlace {

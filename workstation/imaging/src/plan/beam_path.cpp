@@ -172,7 +172,7 @@ void BeamPath::scatter(const FrameInput& input, Bands& bands) {
   live_.move(scene_.motion ? input.motion : nullptr, input.body, scene_.motion ? scene_.motion->strength : 0.0,
              inverse(input.pose.probeToWorld) * ownToWorld, gives ? &level : nullptr,
              input.tissueGrid.worldToVoxel() * input.pose.probeToWorld, bands);
-  live_.scatter(*input.tissue, input.tissueGrid, input.pose.probeToWorld, bands);
+  live_.scatter(*input.tissue, input.tissueVersion, input.tissueGrid, input.pose.probeToWorld, bands);
   hasField_ = true;
 }
 

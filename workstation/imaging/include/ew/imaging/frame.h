@@ -88,8 +88,9 @@ struct StepTime {
 struct FrameInput {
   SliceSource echo;         ///< its grid's place in the world may differ from the one configured (a moved volume needs no new tables)
   SliceSource labels = {};  ///< of the tissues of the scene, on any grid; empty: grey levels decide
-  const TissueMaps* tissue = nullptr;    ///< from which live echoes are formed
-  Grid tissueGrid = {};                  ///< its place in the world
+  const TissueMaps* tissue = nullptr;  ///< from which live echoes are formed
+  std::uint64_t tissueVersion = 0;     ///< the same number, the same tissue: what was made of it is kept for the next frame; 0: nothing is
+  Grid tissueGrid = {};                ///< its place in the world
   const TissueMotion* motion = nullptr;  ///< of `tissue`, in the frame of its own grid; a scene with motion moves it
   BodyState body = {};                   ///< where it stands
   Pose pose = {};
