@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -10,66 +11,6 @@ namespace {
 
 constexpr float kBlind_mm = 0.8F;  // at least, where no surface is known
 
-}  // namespace
-
-/// A reflecting surface in amplitudes.
-struct Strength {
-  float mirror = 0.0F;
-  float rough = 0.0F;
-  float sharpness = 0.0F;       ///< the mirror falls as exp(-sharpness sin^2 b)
-  float roughSharpness = 0.0F;  ///< and what is rough
-  int sheets = 1;
-  float sheetGap_mm = 0.0F;
-  bool frontOnly = false;
-};
-
-/// Distances to surfaces as voxels and as places in the probe frame.
-struct SurfaceMap {
-  const TissueMaps& maps;
-  std::vector<Strength> strengths;
-  glm::mat4 probeToVoxel;
-  glm::mat3 slopeToProbe;  ///< takes a slope over voxels to one over mm of the probe frame
-  std::ptrdiff_t row = maps.grid.dims.x;
-  std::ptrdiff_t plane = row * maps.grid.dims.y;
-  /// From a place that knows no surface at one of its voxels, this far nothing is missed.
-  float blind_mm = std::max(kBlind_mm, static_cast<float>(TissueMaps::kSurfaceReach_mm - glm::length(maps.grid.spacing_mm) - 0.1));
-
-  /// Slope of the distance between the voxels around a point where it is known, in the probe frame.
-  [[nodiscard]] glm::vec3 slopeAt(const glm::vec3& voxel) const {
-    const glm::ivec3 low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), maps.grid.dims - 2);
-    const glm::vec3 t = voxel - glm::vec3(low);
-    const std::uint8_t* first = maps.surfaceDistance.data() + low.x + row * low.y + plane * low.z;
-    glm::vec3 slope(0.0F);
-    for (int n = 0; n < 8; ++n) {
-      const glm::ivec3 corner(n & 1, (n >> 1) & 1, n >> 2);
-      const glm::vec3 side = 2.0F * glm::vec3(corner) - 1.0F, share = 1.0F - glm::vec3(corner) + side * t;
-      slope += static_cast<float>(first[corner.x + row * corner.y + plane * corner.z]) * side *
-               glm::vec3(share.y * share.z, share.x * share.z, share.x * share.y);
-    }
-    return slopeToProbe * slope;
-  }
-  /// Asks for the voxels around a crossing.
-  void announce(const glm::vec3& voxel) const {
-    const glm::ivec3 low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), maps.grid.dims - 2);
-    const std::uint8_t* first = maps.surfaceKind.data() + low.x + row * low.y + plane * low.z;
-    for (const std::ptrdiff_t more : {std::ptrdiff_t{0}, row, plane, row + plane}) __builtin_prefetch(first + more);
-  }
-  /// The surface between whose voxels a crossing lies; none where those of several surfaces mix, between which distances jump.
-  [[nodiscard]] const Strength* surfaceAt(const glm::vec3& voxel) const {
-    const glm::ivec3 nearest(glm::floor(voxel + 0.5F)), low = glm::clamp(glm::ivec3(voxel), glm::ivec3(0), maps.grid.dims - 2);
-    if (!maps.grid.contains(nearest)) return nullptr;
-    const std::size_t kind = maps.surfaceKind[maps.grid.indexOf(nearest.x, nearest.y, nearest.z)];
-    if (kind == 0 || kind > strengths.size()) return nullptr;
-    const std::uint8_t* first = maps.surfaceKind.data() + low.x + row * low.y + plane * low.z;
-    int same = 0;
-    for (int n = 0; n < 8; ++n) same += first[(n & 1) + (n & 2 ? row : 0) + (n & 4 ? plane : 0)] == kind ? 1 : 0;
-    constexpr int kEnough = 6;
-    return same >= kEnough ? &strengths[kind - 1] : nullptr;
-  }
-};
-
-namespace {
-
 struct ElevationRay {
   float sigmas;
   float weight;
@@ -77,10 +18,7 @@ struct ElevationRay {
 // exp(-x^2 / 2) at 0 and 0.9 standard deviations; together 1.
 constexpr std::array<ElevationRay, 3> kRays{{{0.0F, 0.4284F}, {-0.9F, 0.2858F}, {0.9F, 0.2858F}}};
 
-constexpr int kSideBySide = 16;    // lines that are walked together
-constexpr double kGrain_mm = 4.5;  // of unevenness
-constexpr int kMostSheets = 4;
-constexpr double kNextSheet = 0.75;  // as strong as the one in front of it
+constexpr int kSideBySide = 16;  // lines that are walked together
 constexpr double kDecibelPerLevel = 60.0 / 255.0;
 
 std::uint32_t hashOf(const glm::ivec3& at) {
@@ -126,20 +64,6 @@ double nearlySineOf(double turns) {
   return parabola * (0.775 + 0.225 * std::abs(parabola));
 }
 
-/// Between 0 and 1, smooth, fixed in the tissue.
-double unevenAt(const glm::dvec3& mm) {
-  const glm::dvec3 cell = mm / kGrain_mm, whole = glm::floor(cell);
-  glm::dvec3 t = cell - whole;
-  t = t * t * (3.0 - 2.0 * t);
-  double sum = 0.0;
-  for (int n = 0; n < 8; ++n) {
-    const glm::ivec3 corner(n & 1, (n >> 1) & 1, n >> 2);
-    const double weight = (corner.x ? t.x : 1.0 - t.x) * (corner.y ? t.y : 1.0 - t.y) * (corner.z ? t.z : 1.0 - t.z);
-    sum += weight * (hashOf(glm::ivec3(whole) + corner) >> 8) * 0x1p-24;
-  }
-  return sum;
-}
-
 }  // namespace
 
 void EchoSurfaces::configure(const EchoLayout& layout) {
@@ -167,130 +91,117 @@ void EchoSurfaces::configure(const EchoLayout& layout) {
 
 void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, frame::Probe>& probeToVoxel, const EchoMotion& motion,
                        Bands& bands, std::int32_t* fine, std::ptrdiff_t stride) {
-  std::vector<Strength> strengths;
-  for (const ReflectingSurface& surface : maps.surfaces) {
-    const double amplitude = std::pow(10.0, 0.05 * ((surface.echoLevel - 255.0) * kDecibelPerLevel + layout_->effect.gain_db));
-    const auto sharpnessOf = [](double fall_deg) {
-      const double fall = std::sin(fall_deg * std::numbers::pi / 180.0);
-      return static_cast<float>(0.5 / (fall * fall));
-    };
-    strengths.push_back({static_cast<float>(amplitude), static_cast<float>(amplitude * std::pow(10.0, 0.05 * surface.rough_db)),
-                         sharpnessOf(surface.fall_deg), sharpnessOf(surface.roughFall_deg), std::clamp(surface.sheets, 1, kMostSheets),
-                         static_cast<float>(surface.sheetGap_mm), surface.frontOnly});
-  }
-  const SurfaceMap map{maps, std::move(strengths), glm::mat4(probeToVoxel.matrix),
-                       glm::mat3(glm::transpose(glm::dmat3(probeToVoxel.matrix)))};
+  const glm::mat4 toVoxel(probeToVoxel.matrix);
   static_assert(kRays.size() == std::tuple_size_v<decltype(back_)>);
   if (motion.moves())
     for (std::size_t ray = 0; ray < kRays.size(); ++ray)
-      motion.rowsOf(static_cast<double>(kRays[ray].sigmas), glm::mat3(map.probeToVoxel), bands, back_[ray]);
+      motion.rowsOf(static_cast<double>(kRays[ray].sigmas), glm::mat3(toVoxel), bands, back_[ray]);
   const auto lines = static_cast<int>(layout_->grid.lines.size());
   ways_.resize(layout_->grid.lines.size());
   for (std::size_t line = 0; line < layout_->grid.lines.size(); ++line) {
     const BeamGrid::Line& way = layout_->grid.lines[line];
-    ways_.set(line, glm::vec3(map.probeToVoxel * glm::vec4(way.origin_mm, 0.0F, 1.0F)),
-              glm::mat3(map.probeToVoxel) * glm::vec3(way.direction, 0.0F));
+    ways_.set(line, glm::vec3(toVoxel * glm::vec4(way.origin_mm, 0.0F, 1.0F)), glm::mat3(toVoxel) * glm::vec3(way.direction, 0.0F));
   }
+  strengths_.take(maps.surfaces, layout_->effect.gain_db);
+  const double atFace_mm = layout_->rowSpacing_mm(0.0), far_mm = layout_->rowSpacing_mm(layout_->depth_mm);
+  const SurfaceEchoTask echoes{
+      .distances = {maps.surfaceDistance.data(), maps.grid.dims},
+      .kinds = {maps.surfaceKind.data(), maps.grid.dims},
+      .strengths = strengths_,
+      .spacing_mm = glm::vec3(maps.grid.spacing_mm),
+      .slopeToProbe = glm::mat3(glm::transpose(glm::dmat3(probeToVoxel.matrix)) / TissueMaps::kDistanceStepsPerMm),
+      .lines = lines_,
+      .rowsPerLine = layout_->rowsPerLine,
+      .rowPadding = layout_->rowPadding,
+      .rows = layout_->rows,
+      .spacingAtFace_mm = static_cast<float>(atFace_mm),
+      .spacingPerMm = static_cast<float>((far_mm - atFace_mm) / layout_->depth_mm),
+      .firstColumn = static_cast<float>(layout_->columnPadding),
+      .columnsPerMm = static_cast<float>(1.0 / layout_->grid.sampleSpacing_mm),
+      .columns = layout_->columns,
+      .scale = scale_.data(),
+      .field = fine,
+      .stride = static_cast<std::int32_t>(stride),
+  };
+  const float blind_mm = std::max(kBlind_mm, static_cast<float>(TissueMaps::kSurfaceReach_mm - glm::length(maps.grid.spacing_mm) - 0.1));
   scratch_.resize(static_cast<std::size_t>(bands.threads()));
   bands.runEach((lines + kSideBySide - 1) / kSideBySide, [&](int group, int slot) {
     const int first = group * kSideBySide;
-    addLines(first, std::min(kSideBySide, lines - first), map, motion, scratch_[static_cast<std::size_t>(slot)], fine, stride);
+    for (std::size_t n = 0; n < kRays.size(); ++n) {
+      const SurfaceWalk walk{.ways = ways_,
+                             .aside_voxel = glm::vec3(toVoxel[2]),
+                             .sigmas = kRays[n].sigmas,
+                             .sigma_mm = elevation_mm_.data(),
+                             .distances = echoes.distances,
+                             .back = motion.asRows(back_[n]),
+                             .depth_mm = static_cast<float>(layout_->depth_mm),
+                             .blind_mm = blind_mm};
+      SurfaceEchoTask own = echoes;
+      own.weight = kRays[n].weight;
+      addLines(first, std::min(kSideBySide, lines - first), walk, toVoxel, motion, own, scratch_[static_cast<std::size_t>(slot)]);
+    }
   });
 }
 
-void EchoSurfaces::addLines(int first, int count, const SurfaceMap& map, const EchoMotion& motion, Scratch& mine, std::int32_t* fine,
-                            std::ptrdiff_t stride) const {
-  const ByteMap distances(map.maps.surfaceDistance.data(), map.maps.grid.dims);
-  const glm::vec3 aside(map.probeToVoxel[2]);
+void EchoSurfaces::addLines(int first, int count, const SurfaceWalk& walk, const glm::mat4& toVoxel, const EchoMotion& motion,
+                            const SurfaceEchoTask& echoes, Scratch& mine) const {
   const int lastLine = static_cast<int>(lines_.size()) - 1;
-  for (std::size_t n = 0; n < kRays.size(); ++n) {
-    const ElevationRay& ray = kRays[n];
-    const SurfaceWalk walk{
-        ways_,       aside, ray.sigmas, elevation_mm_.data(), distances, motion.asRows(back_[n]), static_cast<float>(layout_->depth_mm),
-        map.blind_mm};
-    mine.found.clear();
-    mine.probes.clear();
-    findCrossings(walk, first, count, mine.found);
-    for (SurfaceCrossing& crossing : mine.found) {
-      const int line = crossing.line;
-      const float range_mm = crossing.range_mm, off_mm = ray.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)];
-      crossing.at = ways_.startOf(line) + range_mm * ways_.perMmOf(line) + off_mm * aside + motion.backOn(back_[n], line, range_mm);
-      map.announce(crossing.at);
-      announce(line, range_mm, fine, stride);
-      if (!motion.isPressed(range_mm)) continue;
-      for (const float there_mm : {range_mm + kFineStep_mm, std::max(range_mm - kFineStep_mm, 0.0F)})
-        mine.probes.push_back({line, there_mm, off_mm});
-      for (const int other : {std::min(line + 1, lastLine), std::max(line - 1, 0)}) mine.probes.push_back({other, range_mm, off_mm});
-    }
-    distancesOf(walk, map.probeToVoxel, lines_, mine.probes, mine.around_mm);
-    const float* around_mm = mine.around_mm.data();
-    for (const auto& [line, range_mm, isEntering, at] : mine.found) {
-      glm::vec3 slope = map.slopeAt(at) / static_cast<float>(TissueMaps::kDistanceStepsPerMm);
-      if (motion.isPressed(range_mm)) {
-        turn(line, range_mm, around_mm, slope);
-        around_mm += 4;
-      }
-      meet(line, range_mm, isEntering, ray.weight, map, at, slope, fine, stride);
-    }
+  const auto& back = back_[static_cast<std::size_t>(walk.sigmas == 0.0F ? 0 : walk.sigmas < 0.0F ? 1 : 2)];
+  mine.found.clear();
+  mine.probes.clear();
+  findCrossings(walk, first, count, mine.found);
+  if (mine.found.empty()) return;
+  SurfaceCrossings& met = mine.met;
+  met.resize(mine.found.size());
+  for (std::size_t n = 0; n < mine.found.size(); ++n) {
+    const auto& [line, range_mm, isEntering] = mine.found[n];
+    const float off_mm = walk.sigmas * elevation_mm_[static_cast<std::size_t>(range_mm)];
+    const glm::vec3 at =
+        ways_.startOf(line) + range_mm * ways_.perMmOf(line) + off_mm * walk.aside_voxel + motion.backOn(back, line, range_mm);
+    met.line[n] = line;
+    met.range_mm[n] = range_mm;
+    met.entering[n] = isEntering ? 1.0F : -1.0F;
+    for (int axis = 0; axis < 3; ++axis) met.at[static_cast<std::size_t>(axis)][n] = at[axis];
+    announce(echoes, line, range_mm, at);
+    if (!motion.isPressed(range_mm)) continue;
+    for (const float there_mm : {range_mm + kFineStep_mm, std::max(range_mm - kFineStep_mm, 0.0F)})
+      mine.probes.push_back({line, there_mm, off_mm});
+    for (const int other : {std::min(line + 1, lastLine), std::max(line - 1, 0)}) mine.probes.push_back({other, range_mm, off_mm});
   }
+  distancesOf(walk, toVoxel, lines_, mine.probes, mine.around_mm);
+  const float* around_mm = mine.around_mm.data();
+  for (std::size_t n = 0; n < mine.found.size(); ++n) {
+    glm::vec2 slope(std::numeric_limits<float>::quiet_NaN());
+    if (motion.isPressed(met.range_mm[n])) {
+      slope = turnedSlope(met.line[n], met.range_mm[n], around_mm);
+      around_mm += 4;
+    }
+    for (int axis = 0; axis < 2; ++axis) met.turned[static_cast<std::size_t>(axis)][n] = slope[axis];
+  }
+  addSurfaceEchoes(echoes, met);
 }
 
-/// Asks for what a surface met there is added to.
-void EchoSurfaces::announce(int line, float range_mm, const std::int32_t* fine, std::ptrdiff_t stride) const {
-  const int column = layout_->columnPadding + static_cast<int>(range_mm / static_cast<float>(layout_->grid.sampleSpacing_mm));
-  const int first = line * layout_->rowsPerLine - layout_->rowsPerLine / 2 + layout_->rowPadding;
-  if (column >= layout_->columns - 1) return;
-  for (int row = std::max(first, 0); row < std::min(first + layout_->rowsPerLine, layout_->rows); ++row)
-    __builtin_prefetch(fine + row * stride + 2 * column, 1);
+/// Asks for what a crossing reads and what its echo is added to.
+void EchoSurfaces::announce(const SurfaceEchoTask& echoes, int line, float range_mm, const glm::vec3& at) const {
+  const glm::ivec3 low = glm::clamp(glm::ivec3(at), glm::ivec3(0), glm::ivec3(echoes.kinds.last) - 1);
+  const std::ptrdiff_t row = echoes.kinds.row, plane = echoes.kinds.plane;
+  const std::uint8_t* kind = echoes.kinds.first + low.x + row * low.y + plane * low.z;
+  for (const std::ptrdiff_t more : {std::ptrdiff_t{0}, row, plane, row + plane}) __builtin_prefetch(kind + more);
+  const int column = static_cast<int>(echoes.firstColumn + range_mm * echoes.columnsPerMm);
+  if (column >= echoes.columns - 1) return;
+  const int first = line * echoes.rowsPerLine - echoes.rowsPerLine / 2 + echoes.rowPadding;
+  for (int n = std::max(first, 0); n < std::min(first + echoes.rowsPerLine, echoes.rows); ++n)
+    __builtin_prefetch(echoes.field + static_cast<std::ptrdiff_t>(n) * echoes.stride + 2 * column, 1);
 }
 
-/// As the surface lies now: tissue that gives way turns it.
-void EchoSurfaces::turn(int line, float range_mm, const float* around_mm, glm::vec3& slope) const {
+/// As the surface lies now: tissue that gives way turns it. Not a number where that cannot be told.
+glm::vec2 EchoSurfaces::turnedSlope(int line, float range_mm, const float* around_mm) const {
   const int low = std::max(line - 1, 0), high = std::min(line + 1, static_cast<int>(lines_.size()) - 1);
   const float down = around_mm[0] - around_mm[1], across = around_mm[2] - around_mm[3];
-  if (low == high || std::isnan(down) || std::isnan(across)) return;
+  if (low == high || std::isnan(down) || std::isnan(across)) return glm::vec2(std::numeric_limits<float>::quiet_NaN());
   const auto aside_mm = static_cast<float>((high - low) * layout_->grid.lineSpacing_mm(static_cast<double>(range_mm)));
   const glm::vec2 along(layout_->grid.lines[static_cast<std::size_t>(line)].direction);
-  slope = glm::vec3(down / (2.0F * kFineStep_mm) * along + across / aside_mm * glm::vec2(along.y, -along.x), slope.z);
-}
-
-void EchoSurfaces::meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at,
-                        const glm::vec3& slope, std::int32_t* fine, std::ptrdiff_t stride) const {
-  const Strength* surface = map.surfaceAt(at);
-  if (surface == nullptr || (surface->frontOnly && !entering)) return;
-  const float steep = glm::length(slope);
-  if (!(steep > 0.0F)) return;
-  const glm::vec2 way(layout_->grid.lines[static_cast<std::size_t>(line)].direction);
-  const float down = glm::dot(glm::vec2(slope), way), cosine = std::min(std::abs(down) / steep, 1.0F);
-  const float sine2 = 1.0F - cosine * cosine;
-  const glm::dvec3 mm = glm::dvec3(at) * map.maps.grid.spacing_mm;
-  const double mirror = static_cast<double>(weight * surface->mirror * std::exp(-sine2 * surface->sharpness));
-  const double uneven = std::clamp(1.2 * unevenAt(mm) + 0.3, 0.6, 1.0);
-  const double rough = static_cast<double>(weight * surface->rough * std::exp(-sine2 * surface->roughSharpness));
-  // Neighbouring rows meet the surface a little earlier or later.
-  const float across = slope.x * way.y - slope.y * way.x;
-  const float lean = std::clamp(-across / std::copysign(std::max(std::abs(down), 0.2F), down), -3.0F, 3.0F);
-  // What is rough is in quadrature and coherent along the surface too: of random signs it was a string of beads.
-  deposit(line, static_cast<double>(range_mm), static_cast<double>(lean), uneven * mirror, rough, fine, stride);
-  // What lies behind it, as the beam goes: each sheet is uneven at places of its own.
-  double fainter = 1.0;
-  for (int sheet = 1; sheet < surface->sheets; ++sheet) {
-    fainter *= kNextSheet;
-    const double gap_mm =
-        static_cast<double>(surface->sheetGap_mm * static_cast<float>(sheet)) / static_cast<double>(std::max(cosine, 0.3F));
-    const double own = std::clamp(1.2 * unevenAt(mm + 97.0 * sheet) + 0.3, 0.6, 1.0);
-    deposit(line, static_cast<double>(range_mm) + (entering ? gap_mm : -gap_mm), static_cast<double>(lean), own * fainter * mirror,
-            fainter * rough, fine, stride);
-  }
-}
-
-void EchoSurfaces::deposit(int line, double range_mm, double lean, double amplitude, double rough, std::int32_t* fine,
-                           std::ptrdiff_t stride) const {
-  const double spacing_mm = layout_->rowSpacing_mm(range_mm);
-  for (int n = 0; n < layout_->rowsPerLine; ++n) {
-    const int aside = n - layout_->rowsPerLine / 2;
-    add(line * layout_->rowsPerLine + aside, range_mm + lean * aside * spacing_mm, amplitude, rough, fine, stride);
-  }
+  return down / (2.0F * kFineStep_mm) * along + across / aside_mm * glm::vec2(along.y, -along.x);
 }
 
 void EchoSurfaces::add(int row, double range_mm, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const {

@@ -9,11 +9,10 @@
 #include "ew/imaging/bands.h"
 #include "ew/imaging/tissue_maps.h"
 #include "scatterers.h"
+#include "surface_echoes.h"
 #include "surface_rows.h"
 
 namespace ew::detail {
-
-struct SurfaceMap;
 
 inline constexpr double kFragmentCell_mm = 3.0;
 
@@ -44,25 +43,23 @@ class EchoSurfaces {
  private:
   struct Scratch {
     std::vector<SurfaceCrossing> found;
+    SurfaceCrossings met;
     std::vector<SurfaceProbe> probes;  ///< four for each that is found where tissue gives way: below and above, line after and line before
     std::vector<float> around_mm;
   };
-  void addLines(int first, int count, const SurfaceMap& map, const EchoMotion& motion, Scratch& mine, std::int32_t* fine,
-                std::ptrdiff_t stride) const;
-  void turn(int line, float range_mm, const float* around_mm, glm::vec3& slope) const;
-  void announce(int line, float range_mm, const std::int32_t* fine, std::ptrdiff_t stride) const;
-  /// @param at voxel @param slope of the distance there, in the probe frame
-  void meet(int line, float range_mm, bool entering, float weight, const SurfaceMap& map, const glm::vec3& at, const glm::vec3& slope,
-            std::int32_t* fine, std::ptrdiff_t stride) const;
+  void addLines(int first, int count, const SurfaceWalk& walk, const glm::mat4& toVoxel, const EchoMotion& motion,
+                const SurfaceEchoTask& echoes, Scratch& mine) const;
+  [[nodiscard]] glm::vec2 turnedSlope(int line, float range_mm, const float* around_mm) const;
+  void announce(const SurfaceEchoTask& echoes, int line, float range_mm, const glm::vec3& at) const;
   /// To a row counted from the first line's.
   void add(int row, double range_mm, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;
-  void deposit(int line, double range_mm, double lean, double amplitude, double rough, std::int32_t* fine, std::ptrdiff_t stride) const;
 
   const EchoLayout* layout_ = nullptr;
-  std::vector<glm::vec4> lines_;                ///< origin and direction
-  std::vector<float> elevation_mm_;             ///< one standard deviation, by whole mm of depth
-  std::vector<float> scale_;                    ///< by column: of a surface's amplitude, to what is added to each row
-  LineWays ways_;                               ///< in voxels
+  std::vector<glm::vec4> lines_;     ///< origin and direction
+  std::vector<float> elevation_mm_;  ///< one standard deviation, by whole mm of depth
+  std::vector<float> scale_;         ///< by column: of a surface's amplitude, to what is added to each row
+  LineWays ways_;                    ///< in voxels
+  SurfaceStrengths strengths_;
   std::array<std::vector<glm::vec3>, 3> back_;  ///< by ray: EchoMotion::rowsOf, in voxels
   std::vector<Scratch> scratch_;                ///< by thread
 };

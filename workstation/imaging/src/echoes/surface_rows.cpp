@@ -118,7 +118,7 @@ HWY_INLINE void walkLanes(D d, const SurfaceWalk& walk, int line, std::vector<Su
       const std::uint64_t entering = bitsOf(d, hn::Lt(here, last));
       for (; left != 0; left &= left - 1) {
         const int n = __builtin_ctzll(left);
-        found.push_back({line + n, met[n], ((entering >> n) & 1U) != 0, glm::vec3(0.0F)});
+        found.push_back({line + n, met[n], ((entering >> n) & 1U) != 0});
       }
     }
     range = hn::Add(range, step);

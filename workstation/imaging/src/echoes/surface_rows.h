@@ -25,7 +25,6 @@ struct SurfaceCrossing {
   int line = 0;
   float range_mm = 0.0F;
   bool isEntering = false;
-  glm::vec3 at{0.0F};  ///< in voxels
 };
 
 inline constexpr float kFineStep_mm = 0.3F;  ///< across a surface
