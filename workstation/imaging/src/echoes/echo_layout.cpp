@@ -80,25 +80,32 @@ void layPulse(EchoLayout& layout) {
     layout.pulse.push_back(static_cast<float>(std::exp(-0.5 * t * t / (sigma * sigma)) / std::sqrt(power * layout.grid.sampleSpacing_mm)));
 }
 
+/// Turn of the carrier of a look from column to column.
+double turnOf_rad(const EchoLayout& layout, int look) {
+  return (look - 0.5 * (layout.beams.looks - 1)) * layout.beams.lookStep_radPerMm() * layout.grid.sampleSpacing_mm;
+}
+
 void layLooks(EchoLayout& layout) {
   const int looks = layout.beams.looks;
-  for (int look = 0; look < looks; ++look) {
-    const double step = (look - 0.5 * (looks - 1)) * layout.beams.lookStep_radPerMm() * layout.grid.sampleSpacing_mm;
-    std::vector<float>& turn = layout.turns.emplace_back();
-    for (int column = 0; column < layout.columns; ++column) {
-      turn.push_back(static_cast<float>(std::cos(step * column)));
-      turn.push_back(static_cast<float>(-std::sin(step * column)));
-    }
-  }
   // The mean of the logarithm rises with the number of looks: their averaged amplitude has the mean sqrt(pi) / 2 and the squared
   // coefficient of variation 4 / pi - 1 over the independent looks among them.
   const double independent = looks * looks / (looks + 2.0 * (looks - 1) * std::exp(-2.0));
   const double mean_db = 10.0 * std::log10(0.25 * std::numbers::pi) - 0.5 * 8.685889638 * (4.0 / std::numbers::pi - 1.0) / independent;
   if (looks > 1) layout.lookScale = std::pow(10.0, -0.05 * (mean_db + kMeanOfLog_db));
-  for (int look = 0; look < looks; ++look) {
-    // Scatterers that are shared by two columns lose 1 - (1 - cos) / 3 of their power at a carrier that turns so far in a column.
-    const double step = (look - 0.5 * (looks - 1)) * layout.beams.lookStep_radPerMm() * layout.grid.sampleSpacing_mm;
-    layout.lookShare.push_back(static_cast<float>(layout.lookScale / (looks * std::sqrt(1.0 - (1.0 - std::cos(step)) / 3.0))));
+  // Scatterers that are shared by two columns lose 1 - (1 - cos) / 3 of their power at a carrier that turns so far in a column.
+  const auto shareOf = [&](double turn_rad) {
+    return static_cast<float>(layout.lookScale / (looks * std::sqrt(1.0 - (1.0 - std::cos(turn_rad)) / 3.0)));
+  };
+  layout.middleShare = looks % 2 == 1 ? shareOf(0.0) : 0.0F;
+  for (int look = (looks + 1) / 2; look < looks; ++look) {
+    const double turn_rad = turnOf_rad(layout, look);
+    LookPair& pair = layout.lookPairs.emplace_back();
+    pair.share = shareOf(turn_rad);
+    for (std::size_t t = 0; t < layout.pulse.size(); ++t) {
+      const auto weight = static_cast<double>(layout.pulse[t]), turned_rad = turn_rad * static_cast<double>(t);
+      pair.cosine.push_back(static_cast<float>(weight * std::cos(turned_rad)));
+      pair.sine.push_back(static_cast<float>(weight * std::sin(turned_rad)));
+    }
   }
 }
 

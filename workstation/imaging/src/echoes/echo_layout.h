@@ -12,6 +12,14 @@ namespace ew::detail {
 /// Columns along the lines that are filtered together: their part of the fine grid stays in the processor's second cache.
 inline constexpr int kTileColumns = 64;
 
+/// Two looks whose carriers lie as far above the pulse's own as below: y+- = sum over t of pulse[t] exp(-+i turn t) x[t] = A -+ i B, where
+///   A = sum of cosine[|t|] x[t],  B = sum of sign(t) sine[|t|] x[t]
+struct LookPair {
+  std::vector<float> cosine;  ///< by distance in columns: pulse[t] cos(turn t)
+  std::vector<float> sine;    ///< pulse[t] sin(turn t)
+  float share = 1.0F;         ///< of the envelope of each
+};
+
 /// What live echoes know before the first frame: the fine grid on which scatterers are added up, rows across the lines and columns along
 /// them, and the weights of the beams and of the pulse.
 struct EchoLayout {
@@ -35,9 +43,9 @@ struct EchoLayout {
   std::vector<int> reachOfTile;
   std::vector<float> focusFactor;  ///< by column: what focus and harmonics do to amplitudes (EchoBeams::beamGain_db); in `lateral` already
   std::vector<float> pulse;        ///< by distance in columns
-  std::vector<std::vector<float>> turns;  ///< by look: the phase that brings its carrier to the middle, per column, as (cos, sin)
-  double lookScale = 1.0;                 ///< keeps the mean level that one look has
-  std::vector<float> lookShare;           ///< by look: of its envelope
+  std::vector<LookPair> lookPairs;
+  float middleShare = 1.0F;  ///< of the envelope at the carrier itself; 0: no look is there
+  double lookScale = 1.0;    ///< keeps the mean level that one look has
 
   [[nodiscard]] double depthOfColumn_mm(double column) const { return (column - columnPadding) * grid.sampleSpacing_mm; }
   [[nodiscard]] double rowSpacing_mm(double atDepth_mm) const { return grid.lineSpacing_mm(atDepth_mm) / rowsPerLine; }

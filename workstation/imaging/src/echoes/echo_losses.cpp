@@ -138,18 +138,12 @@ void EchoLosses::march(int plane) {
   }
 }
 
-void EchoLosses::gainsOf(int line, std::vector<float>& ofSteps, std::span<float> gains) const {
-  ofSteps.resize(static_cast<std::size_t>(steps_));
+SteppedGain EchoLosses::gainOf(int line, std::vector<float>& ofSteps) const {
+  const std::size_t asked = static_cast<std::size_t>(steps_) + SteppedGain::kBeyond;
+  ofSteps.resize(std::max(ofSteps.size(), asked));
   for (int s = 0; s < steps_; ++s) ofSteps[static_cast<std::size_t>(s)] = gains_[indexOf(0, s) + static_cast<std::size_t>(line)];
-  const auto last = static_cast<float>(steps_ - 1) - 1e-3F;
   const auto perColumn = static_cast<float>(layout_->grid.sampleSpacing_mm / step_mm_);
-  const float first = -static_cast<float>(layout_->columnPadding) * perColumn;
-  for (std::size_t column = 0; column < gains.size(); ++column) {
-    const float step = std::clamp(first + static_cast<float>(column) * perColumn, 0.0F, last);
-    const auto whole = static_cast<int>(step);
-    const float here = ofSteps[static_cast<std::size_t>(whole)], next = ofSteps[static_cast<std::size_t>(whole) + 1];
-    gains[column] = here + (step - static_cast<float>(whole)) * (next - here);
-  }
+  return {ofSteps.data(), steps_, -static_cast<float>(layout_->columnPadding) * perColumn, perColumn};
 }
 
 }  // namespace ew::detail

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "echo_layout.h"
@@ -10,6 +9,7 @@
 #include "ew/imaging/bands.h"
 #include "ew/imaging/slice_source.h"
 #include "label_rows.h"
+#include "line_kernels.h"
 
 namespace ew::detail {
 
@@ -28,9 +28,9 @@ class EchoLosses {
   /// @param motion of both
   void walk(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const SliceSource& level,
             const Transform<frame::Voxel, frame::Probe>& probeToLevel, const EchoMotion& motion, Bands& bands);
-  /// Of the amplitudes of a line, at each column.
-  /// @param ofSteps scratch memory
-  void gainsOf(int line, std::vector<float>& ofSteps, std::span<float> gains) const;
+  /// Of the amplitudes of a line.
+  /// @param ofSteps memory of the result
+  [[nodiscard]] SteppedGain gainOf(int line, std::vector<float>& ofSteps) const;
 
  private:
   static constexpr int kPlanes = 3;

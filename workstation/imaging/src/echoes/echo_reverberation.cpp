@@ -93,13 +93,16 @@ void EchoReverberation::configure(const EchoLayout& layout, const Scene& scene) 
   noiseScale_ = static_cast<float>(std::sqrt(0.5 * layout.grid.sampleSpacing_mm));
   isGas_.fill(0.0F);
   isLung_.fill(0.0F);
+  hasAerated_ = false;
   for (const TissueAcoustics& tissue : scene.tissues) {
     if (tissue.label < 0 || tissue.label > 255) continue;
     const Aerated aerated = aeratedOf(tissue);
     (aerated == Aerated::lung ? isLung_ : isGas_)[static_cast<std::size_t>(tissue.label)] = aerated == Aerated::no ? 0.0F : 1.0F;
+    hasAerated_ = hasAerated_ || aerated != Aerated::no;
   }
-  fronts_.resize(layout.grid.lines.size());
+  fronts_.assign(layout.grid.lines.size(), Front{});
   layClutter();
+  layFalls();
 }
 
 void EchoReverberation::layClutter() {
@@ -118,12 +121,13 @@ void EchoReverberation::layClutter() {
 
 void EchoReverberation::find(const SliceSource& labels, const Transform<frame::Voxel, frame::Probe>& probeToLabel, const EchoMotion& motion,
                              Bands& bands) {
-  const LabelBlend blend{labels, isGas_, isLung_};
   const glm::dmat4& m = probeToLabel.matrix;
-  if (motion.moves()) motion.rowsOf(0.0, glm::mat3(m), bands, back_);
   const glm::dvec3 face_mm = glm::dvec3(m[3]) * labels.grid.spacing_mm, far_mm = glm::dvec3(m * glm::dvec4(30.0, 100.0, 0.0, 1.0));
   place_ = hashOf(glm::ivec3(glm::floor(face_mm / kSamePlace_mm))) ^
            spread(hashOf(glm::ivec3(glm::floor(far_mm * labels.grid.spacing_mm / kSamePlace_mm))));
+  if (!hasAerated_) return;
+  const LabelBlend blend{labels, isGas_, isLung_};
+  if (motion.moves()) motion.rowsOf(0.0, glm::mat3(m), bands, back_);
   ways_.lay(layout_->grid, m);
   bands.run(static_cast<int>(fronts_.size()), [&](int first, int count, int) {
     for (int line = first; line < first + count; line += kSearched)
@@ -166,7 +170,7 @@ void EchoReverberation::add(int line, std::span<float> field, Scratch& scratch) 
   if (effect_.shadowHaze_db > kNoHaze_db) haze(line, before.data(), field);
   const Front& front = fronts_[static_cast<std::size_t>(line)];
   if (front.range_mm < 0.0) return;
-  const Echo echo = frontEcho(front, before.data());
+  const Echo echo = frontEcho(front, before.data(), scratch.amplitudes);
   if (!(static_cast<double>(echo.amplitude) > amplitudeOf(kFaintest_db))) return;
   ringDown(line, echo, scratch, field);
   bounce(front, echo, before.data(), field);
@@ -174,23 +178,18 @@ void EchoReverberation::add(int line, std::span<float> field, Scratch& scratch) 
 }
 
 /// The brightest place about the front, as the pulse's filter will see it.
-EchoReverberation::Echo EchoReverberation::frontEcho(const Front& front, const float* before) const {
+EchoReverberation::Echo EchoReverberation::frontEcho(const Front& front, const float* before, std::vector<float>& amplitudes) const {
   const double perMm = 1.0 / layout_->grid.sampleSpacing_mm;
   const int reach = static_cast<int>(layout_->pulse.size()) - 1;
   const int middle = layout_->columnPadding + static_cast<int>(std::lround(front.range_mm * perMm)),
             aside = static_cast<int>(kNear_mm * perMm);
-  Echo found{middle, 0.0F};
-  for (int column = std::max(middle - aside, reach); column <= std::min(middle + aside, layout_->columns - 1 - reach); ++column) {
-    float re = 0.0F, im = 0.0F;
-    for (int t = -reach; t <= reach; ++t) {
-      const float weight = layout_->pulse[static_cast<std::size_t>(std::abs(t))];
-      re += weight * before[2 * (column + t)];
-      im += weight * before[2 * (column + t) + 1];
-    }
-    const float amplitude = std::sqrt(re * re + im * im);
-    if (amplitude > found.amplitude) found = {column, amplitude};
-  }
-  return found;
+  const int first = std::max(middle - aside, reach), count = std::min(middle + aside, layout_->columns - 1 - reach) + 1 - first;
+  if (count <= 0) return {middle, 0.0F};
+  amplitudes.resize(std::max(amplitudes.size(), static_cast<std::size_t>(count)));
+  envelopeOf({.pulse = layout_->pulse.data(), .reach = reach, .middleShare = 1.0F, .pairs = {}}, before + 2 * first, count,
+             amplitudes.data());
+  const auto brightest = std::max_element(amplitudes.begin(), amplitudes.begin() + count);
+  return *brightest > 0.0F ? Echo{first + static_cast<int>(brightest - amplitudes.begin()), *brightest} : Echo{middle, 0.0F};
 }
 
 /// Patches run into one another over a few lines.
@@ -204,14 +203,13 @@ void EchoReverberation::ringDown(int line, const Echo& echo, Scratch& scratch, s
     if (front.range_mm < 0.0 || !hasTail) continue;
     const double share = static_cast<double>(kPatchBlend - std::abs(aside)) / (kPatchBlend * kPatchBlend);
     const double more_db = kPatchSpread_db * static_cast<double>(normalOf(front.patch + 1)) - (front.isLung ? kTailLess_db : 0.0);
-    const double fall = front.isLung ? kTailFalls : 1.0;
-    addRing(front.patch, share * amplitudeOf(effect_.ringDown_db + more_db), fall * effect_.ringDownFall_dbPerMm, echo,
+    addRing(front.patch, share * amplitudeOf(effect_.ringDown_db + more_db), front.isLung ? Fall::tail : Fall::gas, echo,
             scratch.rings[front.patch % scratch.rings.size()], field);
   }
   // What no patch shares: sound that wandered about between bubbles.
   const std::uint32_t own = spread(fronts_[static_cast<std::size_t>(line)].patch + static_cast<std::uint32_t>(line));
   if (!fronts_[static_cast<std::size_t>(line)].isLung)
-    addRing(own, amplitudeOf(effect_.ringDown_db - kStrayLess_db), kStrayFalls * effect_.ringDownFall_dbPerMm, echo, scratch.own, field);
+    addRing(own, amplitudeOf(effect_.ringDown_db - kStrayLess_db), Fall::stray, echo, scratch.own, field);
 }
 
 namespace {
@@ -219,43 +217,47 @@ namespace {
 /// Makes a ring as long as so many columns.
 void lengthen(EchoReverberation::Ring& ring, std::size_t columns) {
   const double stripe_mm = 1.0 + 2.0 * evenOf(ring.key, 2), phase = evenOf(ring.key, 3);
-  for (std::size_t n = ring.strength.size() + 1; n <= columns; ++n) {
+  for (std::size_t n = ring.wave.size() / 2 + 1; n <= columns; ++n) {
     const double away_mm = static_cast<double>(n) * ring.sampleSpacing_mm;
     // It rises over the front's own echo.
     const double rise = std::min(1.0, away_mm / 0.8);
     const double turns = away_mm / stripe_mm + phase, part = turns - std::floor(turns);
     // Where the wave is surely below 0 nobody asks how far.
     const double wave = part > 0.26 && part < 0.74 ? 0.0 : std::max(0.0, std::cos(2.0 * std::numbers::pi * turns));
-    ring.strength.push_back(rise * (kStripeFloor + (1.0 - kStripeFloor) * wave));
+    const auto strength = static_cast<float>(rise * (kStripeFloor + (1.0 - kStripeFloor) * wave));
     const std::uint32_t hash = spread(ring.key + static_cast<std::uint32_t>(n) * 0x85EBCA77U);
-    ring.re.push_back(normalOf(hash));
-    ring.im.push_back(normalOf(hash ^ 0x5bd1e995U));
+    ring.wave.push_back(strength * normalOf(hash));
+    ring.wave.push_back(strength * normalOf(hash ^ 0x5bd1e995U));
   }
 }
 
 }  // namespace
 
-void EchoReverberation::addRing(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, Ring& ring,
-                                std::span<float> field) const {
+void EchoReverberation::layFalls() {
+  constexpr std::array<double, 3> kFalls{1.0, kTailFalls, kStrayFalls};
+  for (std::size_t n = 0; n < falls_.size(); ++n) {
+    const double perColumn = amplitudeOf(-kFalls[n] * effect_.ringDownFall_dbPerMm * layout_->grid.sampleSpacing_mm);
+    falls_[n].clear();
+    for (double amplitude = 1.0; static_cast<int>(falls_[n].size()) < layout_->columns; amplitude *= perColumn)
+      falls_[n].push_back(static_cast<float>(std::max(amplitude, 1e-30)));
+  }
+}
+
+void EchoReverberation::addRing(std::uint32_t key, double first, Fall kind, const Echo& echo, Ring& ring, std::span<float> field) const {
   const double sampleSpacing_mm = layout_->grid.sampleSpacing_mm;
   if (ring.key != key || ring.sampleSpacing_mm != sampleSpacing_mm) {
     ring.key = key;
     ring.sampleSpacing_mm = sampleSpacing_mm;
-    ring.strength.clear();
-    ring.re.clear();
-    ring.im.clear();
+    ring.wave.clear();
   }
-  constexpr std::size_t kMadeAtOnce = 16;  // columns
-  const double perColumn = amplitudeOf(-fall_dbPerMm * sampleSpacing_mm);
-  double amplitude = static_cast<double>(noiseScale_ * echo.amplitude) * first;
-  const double faintest = static_cast<double>(noiseScale_) * amplitudeOf(kFaintest_db);
-  for (int column = echo.column + 1; column < layout_->columns && amplitude > faintest; ++column, amplitude *= perColumn) {
-    const auto n = static_cast<std::size_t>(column - echo.column - 1);
-    if (n >= ring.strength.size()) lengthen(ring, n + kMadeAtOnce);
-    const auto strength = static_cast<float>(ring.strength[n] * amplitude);
-    field[static_cast<std::size_t>(2 * column)] += strength * ring.re[n];
-    field[static_cast<std::size_t>(2 * column + 1)] += strength * ring.im[n];
-  }
+  const auto amplitude = static_cast<float>(static_cast<double>(noiseScale_ * echo.amplitude) * first);
+  const auto faintest = static_cast<float>(static_cast<double>(noiseScale_) * amplitudeOf(kFaintest_db));
+  const std::vector<float>& fall = falls_[static_cast<std::size_t>(kind)];
+  const int room = std::max(layout_->columns - echo.column - 1, 0);
+  const auto end = std::partition_point(fall.begin(), fall.begin() + room, [&](float part) { return amplitude * part > faintest; });
+  const auto count = static_cast<int>(end - fall.begin());
+  lengthen(ring, static_cast<std::size_t>(count));
+  addFalling(ring.wave.data(), fall.data(), amplitude, count, field.data() + 2 * (echo.column + 1));
 }
 
 void EchoReverberation::bounce(const Front& front, const Echo& echo, const float* before, std::span<float> field) const {
@@ -269,8 +271,8 @@ void EchoReverberation::bounce(const Front& front, const Echo& echo, const float
     const int begin = layout_->columnPadding + n * range;
     const int first = n == 1 ? behind : 0, count = std::min(range + behind, layout_->columns - begin) - first;
     if (count <= 0) break;
-    addTurned(before + 2 * (layout_->columnPadding + first), static_cast<float>(amplitudeOf(level_db)), n % 4, count,
-              field.data() + 2 * (begin + first));
+    const TurnedRow copy{before + 2 * (layout_->columnPadding + first), static_cast<float>(amplitudeOf(level_db)), n % 4};
+    addTurned(&copy, 1, count, field.data() + 2 * (begin + first));
   }
 }
 
@@ -285,6 +287,20 @@ void EchoReverberation::mirror(const Echo& echo, const float* before, std::span<
   }
 }
 
+namespace {
+
+/// The sum of squares, in an order of its own whatever vectors the compiler makes of it.
+float squaresOf(const float* numbers, int count) {
+  std::array<float, 8> sums{};
+  int n = 0;
+  for (; n + 8 <= count; n += 8)
+    for (int lane = 0; lane < 8; ++lane) sums[static_cast<std::size_t>(lane)] += numbers[n + lane] * numbers[n + lane];
+  for (; n < count; ++n) sums[static_cast<std::size_t>(n % 8)] += numbers[n] * numbers[n];
+  return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
+
+}  // namespace
+
 void EchoReverberation::haze(int line, const float* before, std::span<float> field) const {
   static const NoiseTable noise;
   constexpr int kBlock = 16;  // columns of one mean
@@ -297,14 +313,8 @@ void EchoReverberation::haze(int line, const float* before, std::span<float> fie
     const int count = std::min(kBlock, layout_->columns - begin);
     const float strength = counted > 0 ? std::sqrt(share * power / static_cast<float>(counted)) : 0.0F;
     const std::uint32_t key = spread(place_ + static_cast<std::uint32_t>(line) * 0x9E3779B9U + static_cast<std::uint32_t>(begin));
-    const float* numbers = noise.numbers.data() + key % NoiseTable::kSize;
-    float* to = field.data() + 2 * begin;
-    const float* from = before + 2 * begin;
-    float met = 0.0F;
-    for (int n = 0; n < 2 * count; ++n) {
-      to[n] += strength * numbers[n];
-      met += from[n] * from[n];
-    }
+    addWeighted(noise.numbers.data() + key % NoiseTable::kSize, strength, 2 * count, field.data() + 2 * begin);
+    float met = squaresOf(before + 2 * begin, 2 * count);
     if (counted > 0) {
       const float most = std::max(kMostOfMean * power / static_cast<float>(counted), faintest);
       met = std::min(met, most * static_cast<float>(count));
@@ -317,8 +327,10 @@ void EchoReverberation::haze(int line, const float* before, std::span<float> fie
 void EchoReverberation::clutter(int line, const float* before, std::span<float> field) const {
   const Copy* copies = copies_.data() + static_cast<std::size_t>(line) * kClutter_mm.size();
   for (std::size_t n = 0; n < kClutter_mm.size(); ++n)
-    if (const Copy& copy = copies[n]; copy.delay < layout_->columns)
-      addTurned(before, copy.weight, copy.quarter, layout_->columns - copy.delay, field.data() + 2 * copy.delay);
+    if (const Copy& copy = copies[n]; copy.delay < layout_->columns) {
+      const TurnedRow row{before, copy.weight, copy.quarter};
+      addTurned(&row, 1, layout_->columns - copy.delay, field.data() + 2 * copy.delay);
+    }
 }
 
 }  // namespace ew::detail

@@ -44,12 +44,11 @@ class EchoReverberation {
   struct Ring {
     std::uint32_t key = 0;
     double sampleSpacing_mm = 0.0;
-    std::vector<double> strength;  ///< as far as it was asked for
-    std::vector<float> re, im;
+    std::vector<float> wave;  ///< complex numbers, as far as it was asked for
   };
   /// One for each thread: the line as it was, and rings of patches, which neighbouring lines and the next frames share.
   struct Scratch {
-    std::vector<float> before;
+    std::vector<float> before, amplitudes;
     std::array<Ring, 32> rings;
     Ring own;
   };
@@ -68,10 +67,13 @@ class EchoReverberation {
     float amplitude = 0.0F;
   };
   void findFronts(const LabelBlend& blend, const EchoMotion& motion, int first, int count);
-  [[nodiscard]] Echo frontEcho(const Front& front, const float* before) const;
+  [[nodiscard]] Echo frontEcho(const Front& front, const float* before, std::vector<float>& amplitudes) const;
   void ringDown(int line, const Echo& echo, Scratch& scratch, std::span<float> field) const;
+  /// How fast a ring dies away: behind gas, in a comet tail, of stray sound.
+  enum class Fall { gas, tail, stray };
   /// One patch, from the front on: `first` of its echo, falling.
-  void addRing(std::uint32_t key, double first, double fall_dbPerMm, const Echo& echo, Ring& ring, std::span<float> field) const;
+  void addRing(std::uint32_t key, double first, Fall kind, const Echo& echo, Ring& ring, std::span<float> field) const;
+  void layFalls();
   void bounce(const Front& front, const Echo& echo, const float* before, std::span<float> field) const;
   void mirror(const Echo& echo, const float* before, std::span<float> field) const;
   void layClutter();
@@ -83,6 +85,7 @@ class EchoReverberation {
   float noiseScale_ = 1.0F;  ///< of one part of complex white noise whose power is 1 behind the pulse's filter
   std::array<float, 256> isGas_{};
   std::array<float, 256> isLung_{};
+  bool hasAerated_ = false;
   std::uint32_t place_ = 0;  ///< hash of where the probe is
   std::vector<Front> fronts_;
   struct Copy {
@@ -90,9 +93,10 @@ class EchoReverberation {
     float weight = 0.0F;
     int quarter = 0;  ///< of a turn
   };
-  std::vector<Copy> copies_;     ///< by line, the copies of clutter one after another; none where there is none
-  LineWays ways_;                ///< scratch: in voxels of the labels
-  std::vector<glm::vec3> back_;  ///< scratch: as EchoMotion::rowsOf gives it
+  std::vector<Copy> copies_;                 ///< by line, the copies of clutter one after another; none where there is none
+  std::array<std::vector<float>, 3> falls_;  ///< by Fall, by columns from the front on
+  LineWays ways_;                            ///< scratch: in voxels of the labels
+  std::vector<glm::vec3> back_;              ///< scratch: as EchoMotion::rowsOf gives it
 };
 
 }  // namespace ew::detail

@@ -8,6 +8,7 @@
 #define HWY_TARGET_INCLUDE "echoes/line_kernels.cpp"
 #include "hwy/foreach_target.h"
 //
+#include "echoes/deposits-inl.h"
 #include "effects/powers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -15,76 +16,125 @@ namespace ew::detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-using namespace ew::HWY_NAMESPACE;  // powers-inl.h
+using namespace ew::HWY_NAMESPACE;  // deposits-inl.h, powers-inl.h
 
-/// Sums of one vector of columns over the rows around a line; `kVectors` side by side, so that sums do not wait for one another.
+/// Sums of one vector of columns over the rows around a line; `kVectors` side by side, so that sums do not wait for one another. Two rows
+/// as far from the line are added up as whole numbers, which leaves a bit of their thirty-one for the sum.
 template <int kVectors, class D>
 HWY_INLINE void lateralSums(D d, const LateralTask& task, const std::int32_t* middle, int x, float* out) {
   const hn::RebindToSigned<D> di;
   const auto step = static_cast<int>(hn::Lanes(d));
   hn::Vec<D> sum[kVectors];
   for (int v = 0; v < kVectors; ++v)
-    sum[v] = hn::Mul(hn::LoadU(d, task.weights + x + v * step), hn::BitCast(d, hn::LoadU(di, middle + x + v * step)));
+    sum[v] = hn::Mul(hn::LoadU(d, task.weights + x + v * step), hn::ConvertTo(d, hn::LoadU(di, middle + x + v * step)));
   for (int t = 1; t <= task.reach; ++t) {
     const std::ptrdiff_t off = t * task.stride, weights = static_cast<std::ptrdiff_t>(t) * task.width;
     for (int v = 0; v < kVectors; ++v) {
-      const auto above = hn::BitCast(d, hn::LoadU(di, middle - off + x + v * step)),
-                 below = hn::BitCast(d, hn::LoadU(di, middle + off + x + v * step));
-      sum[v] = hn::Add(sum[v], hn::Mul(hn::LoadU(d, task.weights + weights + x + v * step), hn::Add(above, below)));
+      const auto both = hn::Add(hn::LoadU(di, middle - off + x + v * step), hn::LoadU(di, middle + off + x + v * step));
+      sum[v] = hn::Add(sum[v], hn::Mul(hn::LoadU(d, task.weights + weights + x + v * step), hn::ConvertTo(d, both)));
     }
   }
-  for (int v = 0; v < kVectors; ++v) hn::StoreU(sum[v], d, out + x + v * step);
+  for (int v = 0; v < kVectors; ++v) hn::StoreU(hn::Mul(sum[v], hn::Set(d, task.unit)), d, out + x + v * step);
 }
 
 void filterLaterallyOf(const LateralTask& task) {
-  for (int row = 0; row < task.rows; ++row) {
-    std::int32_t* values = task.tile + row * task.stride;
-    forColumns(task.width, [&](auto d, int x) HWY_ATTR {
-      const hn::RebindToSigned<decltype(d)> di;
-      const auto amplitude = hn::Mul(hn::ConvertTo(d, hn::LoadU(di, values + x)), hn::Set(d, task.unit));
-      hn::StoreU(hn::BitCast(di, amplitude), di, values + x);
-    });
-  }
   const hn::ScalableTag<float> whole;
   const auto lanes = static_cast<int>(hn::Lanes(whole));
+  int row = 0;
+  // While they are near: rows that no later line asks.
+  const auto emptyTo = [&](int end) {
+    for (; row < end; ++row) std::fill_n(task.tile + row * task.stride, task.cleared, 0);
+  };
   for (int line = 0; line < task.lines; ++line) {
-    const std::int32_t* middle = task.tile + (task.firstRow + line * task.rowsPerLine) * task.stride;
+    const int at = task.firstRow + line * task.rowsPerLine;
+    const std::int32_t* middle = task.tile + at * task.stride;
     float* out = task.out + line * task.outStride;
     int x = 0;
     for (; x + 4 * lanes <= task.width; x += 4 * lanes) lateralSums<4>(whole, task, middle, x, out);
     for (; x + lanes <= task.width; x += lanes) lateralSums<1>(whole, task, middle, x, out);
     const hn::CappedTag<float, 1> one;
     for (; x < task.width; ++x) lateralSums<1>(one, task, middle, x, out);
+    emptyTo(std::min(at + task.rowsPerLine - task.reach, task.rows));
   }
+  emptyTo(task.rows);
 }
 
-void scaleComplexOf(const float* factor, int count, float* inOut) {
-  for (int n = 0; n < count; ++n) {
-    inOut[2 * n] *= factor[n];
-    inOut[2 * n + 1] *= factor[n];
-  }
-}
-
-void addTurnedOf(const float* in, float weight, int quarter, int count, float* out) {
-  const float re = quarter == 0 ? weight : quarter == 2 ? -weight : 0.0F, im = quarter == 1 ? weight : quarter == 3 ? -weight : 0.0F;
-  if (im == 0.0F) {
-    forColumns(2 * count, [&](auto d, int x) HWY_ATTR {
-      hn::StoreU(hn::Add(hn::LoadU(d, out + x), hn::Mul(hn::LoadU(d, in + x), hn::Set(d, re))), d, out + x);
-    });
-    return;
-  }
-  for (int n = 0; n < count; ++n) {
-    out[2 * n] -= im * in[2 * n + 1];
-    out[2 * n + 1] += im * in[2 * n];
-  }
-}
-
-/// As in scatterers.cpp.
+/// Two factors of a vector of columns, from the two vectors of steps that begin at the first one's.
 template <class D>
-HWY_INLINE hn::Vec<D> spread(D d, hn::Vec<D> x) {
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<16>(x)), hn::Set(d, 0x21f0aaadU));
-  x = hn::Mul(hn::Xor(x, hn::ShiftRight<15>(x)), hn::Set(d, 0x735a2d97U));
-  return hn::Xor(x, hn::ShiftRight<15>(x));
+HWY_INLINE hn::Vec<D> gainAt(D d, const SteppedGain& gain, int column) {
+  const hn::RebindToSigned<D> di;
+  const auto columns = hn::ConvertTo(d, hn::Iota(di, column));
+  const auto at = hn::Add(hn::Set(d, gain.first), hn::Mul(columns, hn::Set(d, gain.perColumn)));
+  const auto step = hn::Min(hn::Max(at, hn::Zero(d)), hn::Set(d, static_cast<float>(gain.steps - 1) - 1e-3F));
+  const auto whole = hn::ConvertTo(di, step);
+  const auto part = hn::Sub(step, hn::ConvertTo(d, whole));
+  const std::int32_t first = hn::GetLane(whole);
+  const auto index = hn::Sub(whole, hn::Set(di, first));
+  hn::Vec<D> here, next;
+  if (HWY_LIKELY(hn::AllTrue(di, hn::Lt(index, hn::Set(di, static_cast<std::int32_t>(hn::Lanes(d))))))) {
+    const auto indices = hn::IndicesFromVec(d, index);
+    here = hn::TableLookupLanes(hn::LoadU(d, gain.ofSteps + first), indices);
+    next = hn::TableLookupLanes(hn::LoadU(d, gain.ofSteps + first + 1), indices);
+  } else {
+    here = hn::GatherIndex(d, gain.ofSteps, whole);
+    next = hn::GatherIndex(d, gain.ofSteps + 1, whole);
+  }
+  return hn::Add(here, hn::Mul(part, hn::Sub(next, here)));
+}
+
+void scaleComplexOf(const SteppedGain& gain, int count, float* inOut) {
+  forColumns(count, [&](auto d, int x) HWY_ATTR {
+    const auto factor = gainAt(d, gain, x);
+    const auto lanes = static_cast<int>(hn::Lanes(d));
+    HWY_ALIGN float twice[2 * hn::MaxLanes(hn::ScalableTag<float>())];
+    hn::StoreInterleaved2(factor, factor, d, twice);
+    for (int half = 0; half < 2; ++half) {
+      float* at = inOut + 2 * x + half * lanes;
+      hn::StoreU(hn::Mul(hn::LoadU(d, at), hn::LoadU(d, twice + half * lanes)), d, at);
+    }
+  });
+}
+
+struct TurnedWeight {
+  float ofEven, ofOdd;  ///< of the real and of the imaginary part
+  bool swaps;           ///< the two parts of what is added
+};
+TurnedWeight weightOf(const TurnedRow& row) {
+  const float weight = row.quarter == 2 || row.quarter == 3 ? -row.weight : row.weight;
+  return row.quarter % 2 == 1 ? TurnedWeight{-weight, weight, true} : TurnedWeight{weight, weight, false};
+}
+
+/// @return how many numbers were added
+template <class D>
+HWY_INLINE int addTurnedRows(D d, const TurnedRow* rows, const TurnedWeight* weights, int rowCount, int numbers, float* out) {
+  const auto lanes = static_cast<int>(hn::Lanes(d));
+  if constexpr (hn::MaxLanes(D()) > 1) {
+    hn::Vec<D> weight[kMostTurnedRows];
+    for (int n = 0; n < rowCount; ++n) weight[n] = hn::OddEven(hn::Set(d, weights[n].ofOdd), hn::Set(d, weights[n].ofEven));
+    int x = 0;
+    for (; x + lanes <= numbers; x += lanes) {
+      auto sum = hn::LoadU(d, out + x);
+      for (int n = 0; n < rowCount; ++n) {
+        const auto in = hn::LoadU(d, rows[n].in + x);
+        sum = hn::Add(sum, hn::Mul(weights[n].swaps ? hn::Reverse2(d, in) : in, weight[n]));
+      }
+      hn::StoreU(sum, d, out + x);
+    }
+    return x;
+  }
+  return 0;
+}
+
+void addTurnedOf(const TurnedRow* rows, int rowCount, int count, float* out) {
+  TurnedWeight weights[kMostTurnedRows];
+  for (int n = 0; n < rowCount; ++n) weights[n] = weightOf(rows[n]);
+  for (int x = addTurnedRows(hn::ScalableTag<float>(), rows, weights, rowCount, 2 * count, out); x < 2 * count; x += 2)
+    for (int n = 0; n < rowCount; ++n) {
+      const TurnedWeight& weight = weights[n];
+      const float* in = rows[n].in + x;
+      out[x] += in[weight.swaps ? 1 : 0] * weight.ofEven;
+      out[x + 1] += in[weight.swaps ? 0 : 1] * weight.ofOdd;
+    }
 }
 
 void addComplexNoiseOf(std::uint64_t key, const float* strength, int count, float* inOut) {
@@ -94,8 +144,8 @@ void addComplexNoiseOf(std::uint64_t key, const float* strength, int count, floa
   forColumns(count, [&](auto d, int x) HWY_ATTR {
     const hn::RebindToUnsigned<decltype(d)> du;
     const hn::RebindToSigned<decltype(d)> di;
-    const auto first = spread(du, hn::Add(hn::Iota(du, static_cast<std::uint32_t>(x)), hn::Set(du, static_cast<std::uint32_t>(key))));
-    const auto second = spread(du, hn::Xor(first, hn::Set(du, static_cast<std::uint32_t>(key >> 32))));
+    const auto first = spreadOf(du, hn::Add(hn::Iota(du, static_cast<std::uint32_t>(x)), hn::Set(du, static_cast<std::uint32_t>(key))));
+    const auto second = spreadOf(du, hn::Xor(first, hn::Set(du, static_cast<std::uint32_t>(key >> 32))));
     const auto part = [&](auto hash) HWY_ATTR {
       const auto sum = hn::Add(hn::ShiftRight<16>(hash), hn::And(hash, hn::Set(du, 0xFFFFU)));
       return hn::Mul(hn::Sub(hn::ConvertTo(d, hn::BitCast(di, sum)), hn::Set(d, 65535.0F)), hn::Set(d, kPerDeviation));
@@ -109,35 +159,94 @@ void addComplexNoiseOf(std::uint64_t key, const float* strength, int count, floa
   });
 }
 
-void turnComplexOf(const float* in, const float* turn, int count, float* out) {
-  forColumns(count, [&](auto d, int n) HWY_ATTR {
-    hn::Vec<decltype(d)> re, im, c, s;
-    hn::LoadInterleaved2(d, in + 2 * n, re, im);
-    hn::LoadInterleaved2(d, turn + 2 * n, c, s);
-    hn::StoreInterleaved2(hn::Sub(hn::Mul(re, c), hn::Mul(im, s)), hn::Add(hn::Mul(re, s), hn::Mul(im, c)), d, out + 2 * n);
+/// Two vectors of interleaved numbers.
+template <class D>
+struct Interleaved {
+  hn::Vec<D> low, high;
+};
+template <class D>
+HWY_INLINE Interleaved<D> loadInterleaved(D d, const float* at) {
+  return {hn::LoadU(d, at), hn::LoadU(d, at + hn::Lanes(d))};
+}
+template <class D>
+HWY_INLINE Interleaved<D> scaled(D d, const Interleaved<D>& in, float weight) {
+  const auto factor = hn::Set(d, weight);
+  return {hn::Mul(in.low, factor), hn::Mul(in.high, factor)};
+}
+template <class D>
+HWY_INLINE void addScaled(D d, const Interleaved<D>& in, float weight, Interleaved<D>& sum) {
+  const auto more = scaled(d, in, weight);
+  sum = {hn::Add(sum.low, more.low), hn::Add(sum.high, more.high)};
+}
+template <class D>
+HWY_INLINE void partsOf(D d, const Interleaved<D>& in, hn::Vec<D>& re, hn::Vec<D>& im) {
+  HWY_ALIGN float parts[2 * hn::MaxLanes(hn::ScalableTag<float>())];
+  hn::StoreU(in.low, d, parts);
+  hn::StoreU(in.high, d, parts + hn::Lanes(d));
+  hn::LoadInterleaved2(d, parts, re, im);
+}
+template <class V>
+HWY_INLINE V lengthOf(V re, V im) {
+  return hn::Sqrt(hn::Add(hn::Mul(re, re), hn::Mul(im, im)));
+}
+
+template <int kPairs, bool kMiddle>
+void envelopeOfLooks(const EnvelopeTask& task, const float* in, int samples, float* levels) {
+  const float *cosine[kPairs + 1], *sine[kPairs + 1];
+  for (std::size_t p = 0; p != kPairs; ++p) {
+    cosine[p] = task.pairs[p].cosine.data();
+    sine[p] = task.pairs[p].sine.data();
+  }
+  forColumns(samples, [&](auto d, int s) HWY_ATTR {
+    using D = decltype(d);
+    const float* at = in + 2 * s;
+    const Interleaved<D> own = loadInterleaved(d, at);
+    Interleaved<D> middle{hn::Zero(d), hn::Zero(d)}, even[kPairs + 1], odd[kPairs + 1];
+    if constexpr (kMiddle) middle = scaled(d, own, task.pulse[0]);
+    for (std::size_t p = 0; p != kPairs; ++p) {
+      even[p] = scaled(d, own, cosine[p][0]);
+      odd[p] = {hn::Zero(d), hn::Zero(d)};
+    }
+    for (int t = 1; t <= task.reach; ++t) {
+      const Interleaved<D> before = loadInterleaved(d, at - 2 * t), after = loadInterleaved(d, at + 2 * t);
+      const Interleaved<D> sum{hn::Add(before.low, after.low), hn::Add(before.high, after.high)};
+      if constexpr (kMiddle) addScaled(d, sum, task.pulse[t], middle);
+      if constexpr (kPairs > 0) {
+        const Interleaved<D> apart{hn::Sub(after.low, before.low), hn::Sub(after.high, before.high)};
+        for (std::size_t p = 0; p != kPairs; ++p) {
+          addScaled(d, sum, cosine[p][t], even[p]);
+          addScaled(d, apart, sine[p][t], odd[p]);
+        }
+      }
+    }
+    hn::Vec<D> re, im;
+    auto level = hn::Zero(d);
+    if constexpr (kMiddle) {
+      partsOf(d, middle, re, im);
+      level = hn::Mul(lengthOf(re, im), hn::Set(d, task.middleShare));
+    }
+    for (std::size_t p = 0; p != kPairs; ++p) {
+      hn::Vec<D> oddRe, oddIm;
+      partsOf(d, even[p], re, im);
+      partsOf(d, odd[p], oddRe, oddIm);
+      // A - iB and A + iB.
+      const auto above = lengthOf(hn::Add(re, oddIm), hn::Sub(im, oddRe)), below = lengthOf(hn::Sub(re, oddIm), hn::Add(im, oddRe));
+      level = hn::Add(level, hn::Mul(hn::Add(above, below), hn::Set(d, task.pairs[p].share)));
+    }
+    hn::StoreU(level, d, levels + s);
   });
 }
 
-void addEnvelopeOf(const float* in, const float* pulse, int reach, float share, int samples, float* out) {
-  forColumns(samples, [&](auto d, int s) HWY_ATTR {
-    const auto lanes = static_cast<int>(hn::Lanes(d));
-    // Two vectors of interleaved numbers become one of real and one of imaginary parts at the end.
-    const float* at = in + 2 * s;
-    const auto p0 = hn::Set(d, pulse[0]);
-    auto low = hn::Mul(hn::LoadU(d, at), p0), high = hn::Mul(hn::LoadU(d, at + lanes), p0);
-    for (int t = 1; t <= reach; ++t) {
-      const auto p = hn::Set(d, pulse[t]);
-      low = hn::Add(low, hn::Mul(hn::Add(hn::LoadU(d, at - 2 * t), hn::LoadU(d, at + 2 * t)), p));
-      high = hn::Add(high, hn::Mul(hn::Add(hn::LoadU(d, at + lanes - 2 * t), hn::LoadU(d, at + lanes + 2 * t)), p));
-    }
-    HWY_ALIGN float parts[2 * hn::MaxLanes(hn::ScalableTag<float>())];
-    hn::StoreU(low, d, parts);
-    hn::StoreU(high, d, parts + lanes);
-    hn::Vec<decltype(d)> re, im;
-    hn::LoadInterleaved2(d, parts, re, im);
-    const auto amplitude = hn::Sqrt(hn::Add(hn::Mul(re, re), hn::Mul(im, im)));
-    hn::StoreU(hn::Add(hn::LoadU(d, out + s), hn::Mul(amplitude, hn::Set(d, share))), d, out + s);
-  });
+void envelopeOfLine(const EnvelopeTask& task, const float* in, int samples, float* levels) {
+  const bool hasMiddle = task.middleShare > 0.0F;
+  switch (task.pairs.size()) {
+    case 0:
+      return envelopeOfLooks<0, true>(task, in, samples, levels);
+    case 1:
+      return hasMiddle ? envelopeOfLooks<1, true>(task, in, samples, levels) : envelopeOfLooks<1, false>(task, in, samples, levels);
+    default:
+      return hasMiddle ? envelopeOfLooks<2, true>(task, in, samples, levels) : envelopeOfLooks<2, false>(task, in, samples, levels);
+  }
 }
 
 void toLevelsOf(const float* in, float aside, float perDoubling, int count, float* out) {
@@ -183,6 +292,20 @@ void addWeightedOf(const float* in, float weight, int count, float* out) {
   });
 }
 
+void addFallingOf(const float* in, const float* factor, float weight, int count, float* out) {
+  forColumns(count, [&](auto d, int n) HWY_ATTR {
+    const auto lanes = static_cast<int>(hn::Lanes(d));
+    const auto strength = hn::Mul(hn::LoadU(d, factor + n), hn::Set(d, weight));
+    HWY_ALIGN float twice[2 * hn::MaxLanes(hn::ScalableTag<float>())];
+    hn::StoreInterleaved2(strength, strength, d, twice);
+    for (int half = 0; half < 2; ++half) {
+      float* at = out + 2 * n + half * lanes;
+      const auto more = hn::Mul(hn::LoadU(d, in + 2 * n + half * lanes), hn::LoadU(d, twice + half * lanes));
+      hn::StoreU(hn::Add(hn::LoadU(d, at), more), d, at);
+    }
+  });
+}
+
 void addSquaresOf(const float* in, float weight, int count, float* out) {
   forColumns(count, [&](auto d, int x) HWY_ATTR {
     const auto around = hn::Mul(hn::Add(hn::LoadU(d, in + x - 1), hn::LoadU(d, in + x + 1)), hn::Set(d, 0.25F));
@@ -203,27 +326,26 @@ HWY_EXPORT(filterLaterallyOf);
 HWY_EXPORT(scaleComplexOf);
 HWY_EXPORT(addTurnedOf);
 HWY_EXPORT(addComplexNoiseOf);
-HWY_EXPORT(turnComplexOf);
-HWY_EXPORT(addEnvelopeOf);
+HWY_EXPORT(envelopeOfLine);
 HWY_EXPORT(toLevelsOf);
 HWY_EXPORT(toAmplitudesOf);
 HWY_EXPORT(fromAmplitudesOf);
 HWY_EXPORT(keptOfLoss);
 HWY_EXPORT(passRayOf);
 HWY_EXPORT(addWeightedOf);
+HWY_EXPORT(addFallingOf);
 HWY_EXPORT(addSquaresOf);
 
 void filterLaterally(const LateralTask& task) { HWY_DYNAMIC_DISPATCH(filterLaterallyOf)(task); }
-void scaleComplex(const float* factor, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(scaleComplexOf)(factor, count, inOut); }
-void addTurned(const float* in, float weight, int quarter, int count, float* out) {
-  HWY_DYNAMIC_DISPATCH(addTurnedOf)(in, weight, quarter, count, out);
+void scaleComplex(const SteppedGain& gain, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(scaleComplexOf)(gain, count, inOut); }
+void addTurned(const TurnedRow* rows, int rowCount, int count, float* out) {
+  HWY_DYNAMIC_DISPATCH(addTurnedOf)(rows, rowCount, count, out);
 }
 void addComplexNoise(std::uint64_t key, const float* strength, int count, float* inOut) {
   HWY_DYNAMIC_DISPATCH(addComplexNoiseOf)(key, strength, count, inOut);
 }
-void turnComplex(const float* in, const float* turn, int count, float* out) { HWY_DYNAMIC_DISPATCH(turnComplexOf)(in, turn, count, out); }
-void addEnvelope(const float* in, const float* pulse, int reach, float share, int samples, float* out) {
-  HWY_DYNAMIC_DISPATCH(addEnvelopeOf)(in, pulse, reach, share, samples, out);
+void envelopeOf(const EnvelopeTask& task, const float* in, int samples, float* levels) {
+  HWY_DYNAMIC_DISPATCH(envelopeOfLine)(task, in, samples, levels);
 }
 void toLevels(const float* in, float aside, float perDoubling, int count, float* out) {
   HWY_DYNAMIC_DISPATCH(toLevelsOf)(in, aside, perDoubling, count, out);
@@ -233,6 +355,9 @@ void fromAmplitudes(float perDoubling, int count, float* inOut) { HWY_DYNAMIC_DI
 void keptOf(const float* loss_log2, int count, float* kept) { HWY_DYNAMIC_DISPATCH(keptOfLoss)(loss_log2, count, kept); }
 void passRay(const float* kept, float most, int count, float* left) { HWY_DYNAMIC_DISPATCH(passRayOf)(kept, most, count, left); }
 void addWeighted(const float* in, float weight, int count, float* out) { HWY_DYNAMIC_DISPATCH(addWeightedOf)(in, weight, count, out); }
+void addFalling(const float* in, const float* factor, float weight, int count, float* out) {
+  HWY_DYNAMIC_DISPATCH(addFallingOf)(in, factor, weight, count, out);
+}
 void addSquares(const float* in, float weight, int count, float* out) { HWY_DYNAMIC_DISPATCH(addSquaresOf)(in, weight, count, out); }
 
 }  // namespace ew::detail

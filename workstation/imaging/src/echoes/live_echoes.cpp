@@ -1,6 +1,7 @@
 #include "live_echoes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "effects/spread_bits.h"
@@ -24,7 +25,7 @@ void LiveEchoes::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   stride_ = std::ptrdiff_t{2} * layout_.tiles * kTileColumns;
   field_.assign(static_cast<std::size_t>(stride_) * layout_.grid.lines.size(), 0.0F);
   fineStride_ = stride_ + 2;  // scatterers are shared by two columns
-  fine_.resize(static_cast<std::size_t>(fineStride_) * static_cast<std::size_t>(layout_.rows));
+  fine_.assign(static_cast<std::size_t>(fineStride_) * static_cast<std::size_t>(layout_.rows), 0);
   surfaces_.configure(layout_);
   losses_.configure(layout_, probe, scene, knobs.carrier_hz);
   reverberation_.configure(layout_, scene);
@@ -76,7 +77,6 @@ void LiveEchoes::scatter(const TissueMaps& maps, std::uint64_t version, const Gr
     for (ScattererStore& store : stores_) store.forget();
   storesOf_ = version;
   storedTask_ = task;
-  bands.run(layout_.rows, [&](int first, int count, int) { std::fill_n(fine_.data() + first * fineStride_, count * fineStride_, 0); });
   const auto addPart = [&](int piece, PartOfPiece part, int slot) {
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
     findBlocks(layout_, place, motion_, level.grid.dims, piece, part, mine.shifts, mine.blocks);
@@ -115,6 +115,7 @@ void LiveEchoes::filterTile(int tile) {
   lateral.stride = fineStride_;
   lateral.rows = layout_.rows;
   lateral.width = 2 * kTileColumns;
+  lateral.cleared = static_cast<int>(tile + 1 == layout_.tiles ? fineStride_ - firstValue : lateral.width);
   lateral.unit = static_cast<float>(kDepositUnit);
   lateral.weights = layout_.lateral[static_cast<std::size_t>(tile)].data();
   lateral.reach = layout_.reachOfTile[static_cast<std::size_t>(tile)];
@@ -131,11 +132,7 @@ void LiveEchoes::lose(const SliceSource& labels, const Transform<frame::Voxel, f
   losses_.walk(labels, probeToLabel, level, probeToLevel, motion_, bands);
   bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
-    mine.gains.resize(static_cast<std::size_t>(std::max(layout_.columns, static_cast<int>(layout_.grid.lines.size()) + 2)));
-    for (int line = first; line < first + count; ++line) {
-      losses_.gainsOf(line, mine.levels, std::span(mine.gains).first(static_cast<std::size_t>(layout_.columns)));
-      scaleComplex(mine.gains.data(), layout_.columns, lineAt(line));
-    }
+    for (int line = first; line < first + count; ++line) scaleComplex(losses_.gainOf(line, mine.gains), layout_.columns, lineAt(line));
   });
 }
 
@@ -163,58 +160,52 @@ void LiveEchoes::addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, B
 }
 
 void LiveEchoes::addHaze(int line, std::span<float> out) {
+  static_assert(2 * kLobesOnASide <= kMostTurnedRows);
   const auto lines = static_cast<int>(layout_.grid.lines.size());
-  for (const Lobe& lobe : lobes_)
-    for (int tile = 0; tile < layout_.tiles; ++tile) {
+  std::array<TurnedRow, kMostTurnedRows> rows;
+  for (int tile = 0; tile < layout_.tiles; ++tile) {
+    const int first = tile * kTileColumns, count = std::min(kTileColumns, layout_.columns - first);
+    int seen = 0;
+    for (const Lobe& lobe : lobes_) {
       const int other = line + lobe.offset[static_cast<std::size_t>(tile)];
       if (other < 0 || other >= lines) continue;
-      const int first = tile * kTileColumns, count = std::min(kTileColumns, layout_.columns - first);
-      addTurned(lineAt(other) + std::ptrdiff_t{2} * first, lobe.weight, lobe.quarter, count, out.data() + 2 * first);
+      rows[static_cast<std::size_t>(seen++)] = {lineAt(other) + std::ptrdiff_t{2} * first, lobe.weight, lobe.quarter};
     }
+    if (seen > 0) addTurned(rows.data(), seen, count, out.data() + 2 * first);
+  }
 }
 
 void LiveEchoes::takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> echoes) {
   const int samples = layout_.grid.samples;
   const auto perDoubling = static_cast<float>(20.0 * std::log10(2.0) * greyPerDb);
-  constexpr int kGroup = 8;  // lines that are written side by side
-  bands.run((echoes.width + kGroup - 1) / kGroup, [&](int firstGroup, int groups, int slot) {
+  constexpr int kGroup = 16;  // lines that are written side by side
+  const EnvelopeTask pulse{layout_.pulse.data(), static_cast<int>(layout_.pulse.size()) - 1, layout_.middleShare, layout_.lookPairs};
+  bands.runEach((echoes.width + kGroup - 1) / kGroup, [&](int group, int slot) {
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
     mine.line.resize(std::max(mine.line.size(), static_cast<std::size_t>(2 * layout_.columns)));
-    mine.turned.resize(static_cast<std::size_t>(2 * layout_.columns));
     mine.levels.resize(static_cast<std::size_t>(kGroup * samples));
-    for (int group = firstGroup; group < firstGroup + groups; ++group) {
-      const int first = kGroup * group, count = std::min(kGroup, echoes.width - first);
-      for (int n = 0; n < count; ++n) {
-        const float* own = lineAt(first + n);
-        std::copy(own, own + 2 * layout_.columns, mine.line.begin());
-        addHaze(first + n, mine.line);
-        if (noiseKey_) {
-          const std::uint64_t key = spreadBits(*noiseKey_ + static_cast<std::uint64_t>(first + n) * 0x9e3779b97f4a7c15ULL);
-          addComplexNoise(key, noise_.data(), layout_.columns, mine.line.data());
-        }
-        float* levels = mine.levels.data() + static_cast<std::ptrdiff_t>(n) * samples;
-        std::fill(levels, levels + samples, 0.0F);
-        for (std::size_t look = 0; look < layout_.turns.size(); ++look) {
-          const float* in = mine.line.data();
-          if (layout_.turns.size() > 1) {
-            turnComplex(in, layout_.turns[look].data(), layout_.columns, mine.turned.data());
-            in = mine.turned.data();
-          }
-          addEnvelope(in + 2 * layout_.columnPadding, layout_.pulse.data(), static_cast<int>(layout_.pulse.size()) - 1,
-                      layout_.lookShare[look], samples, levels);
-        }
+    const int first = kGroup * group, count = std::min(kGroup, echoes.width - first);
+    for (int n = 0; n < count; ++n) {
+      const float* own = lineAt(first + n);
+      std::copy(own, own + 2 * layout_.columns, mine.line.begin());
+      addHaze(first + n, mine.line);
+      if (noiseKey_) {
+        const std::uint64_t key = spreadBits(*noiseKey_ + static_cast<std::uint64_t>(first + n) * 0x9e3779b97f4a7c15ULL);
+        addComplexNoise(key, noise_.data(), layout_.columns, mine.line.data());
       }
-      for (int s = 0; s < samples; ++s) {
-        float* row = echoes.row(s) + first;
-        for (int n = 0; n < count; ++n) row[n] = mine.levels[static_cast<std::size_t>(n * samples + s)];
-      }
+      envelopeOf(pulse, mine.line.data() + 2 * layout_.columnPadding, samples,
+                 mine.levels.data() + static_cast<std::ptrdiff_t>(n) * samples);
+    }
+    for (int s = 0; s < samples; ++s) {
+      float* row = echoes.row(s) + first;
+      for (int n = 0; n < count; ++n) row[n] = mine.levels[static_cast<std::size_t>(n * samples + s)];
     }
   });
 
   const auto aside = static_cast<float>(layout_.effect.lineAverage);
   bands.run(samples, [&](int first, int count, int slot) {
     std::vector<float>& around = scratch_[static_cast<std::size_t>(slot)].gains;
-    around.resize(static_cast<std::size_t>(std::max(layout_.columns, echoes.width + 2)));
+    around.resize(std::max(around.size(), static_cast<std::size_t>(echoes.width + 2)));
     for (int s = first; s < first + count; ++s) {
       float* row = echoes.row(s);
       std::copy(row, row + echoes.width, around.begin() + 1);

@@ -51,7 +51,7 @@ class LiveEchoes {
     std::vector<ScatterBlock> blocks;
     BlockShifts shifts;
     EchoReverberation::Scratch reverberation;
-    std::vector<float> line, turned, levels, gains;
+    std::vector<float> line, levels, gains;
   };
   [[nodiscard]] float* lineAt(int line) { return field_.data() + static_cast<std::ptrdiff_t>(line) * stride_; }
   void filterTile(int tile);
@@ -71,7 +71,7 @@ class LiveEchoes {
   ScatterTask storedTask_;
   std::vector<float> field_;  ///< lines x columns complex numbers, padded to whole tiles
   std::ptrdiff_t stride_ = 0;
-  std::vector<std::int32_t> fine_;  ///< the fine grid: rows x columns complex numbers, and one column more
+  std::vector<std::int32_t> fine_;  ///< the fine grid: rows x columns complex numbers, and one column more; 0 between frames
   std::ptrdiff_t fineStride_ = 0;
   std::vector<float> noise_;            ///< strength by column
   std::optional<NoiseEffect> noiseOf_;  ///< that it is of; none: it has not been made
