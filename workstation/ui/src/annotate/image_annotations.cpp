@@ -54,9 +54,7 @@ std::vector<const annotation::WordList*> ImageAnnotations::commonLists() const {
   return common;
 }
 
-void ImageAnnotations::showTerms() {
-  terms_ = termsFor(wordLists_, chosen_.empty() ? region_ : chosen_, QLocale().name().toStdString());
-}
+void ImageAnnotations::showTerms() { terms_ = termsFor(wordLists_, chosen_.empty() ? region_ : chosen_, QLocale().name().toStdString()); }
 
 bool ImageAnnotations::hold() {
   if (!session_.subject() || session_.image().isEmpty()) return false;

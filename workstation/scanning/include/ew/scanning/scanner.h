@@ -63,7 +63,7 @@ class Scanner {
  private:
   FrameMaker maker_;
   std::optional<ScanSubject> subject_;
-  std::optional<ScanVoxels> sliced_;  ///< the subject's, with their bricks as long as images are slices
+  std::optional<ScanVoxels> sliced_;              ///< the subject's, with their bricks as long as images are slices
   std::shared_ptr<const TissueMaps> seenTissue_;  ///< of the last frame, held so that no other maps come to lie at its address
   std::uint64_t tissueVersion_ = 0;
 };
