@@ -24,7 +24,8 @@ constexpr int kMargin_px = 6;
 class StillCube final : public vtkAnnotatedCubeActor {
  public:
   static StillCube* New();
-  vtkTypeMacro(StillCube, vtkAnnotatedCubeActor);
+  vtkTypeMacro(StillCube, vtkAnnotatedCubeActor)
+
   int RenderOpaqueGeometry(vtkViewport* viewport) override {
     return isMade() ? this->GetAssembly()->RenderOpaqueGeometry(viewport) : this->Superclass::RenderOpaqueGeometry(viewport);
   }

@@ -137,9 +137,10 @@ CaliperDrawing::Press CaliperDrawing::set(glm::dvec2 at, double reach_mm) {
 CaliperDrawing::Press CaliperDrawing::press(glm::dvec2 at, double reach_mm) {
   pointer_ = at;
   if (points_.empty()) {
-    if (const auto near = handleNear(shown(), image_, at, reach_mm, scale_)) {
+    const auto near = handleNear(shown(), image_, at, reach_mm, scale_);
+    if (const Measurement* held = near ? shown().find(near->number) : nullptr) {
       selected_ = near->number;
-      dragged_ = Dragged{near->number, near->handle, shown().find(near->number)->caliper, false};
+      dragged_ = Dragged{near->number, near->handle, held->caliper, false};
       return Press::handle;
     }
   }

@@ -4,6 +4,7 @@
 
 #include "commands/records_arguments.h"
 #include "ew/assessment/attempt_result.h"
+#include "ew/assessment/attempt_scoring.h"
 #include "ew/assessment/pseudonym.h"
 #include "ew/core/foreign_json.h"
 #include "ew/library/case.h"
