@@ -24,8 +24,6 @@ constexpr int kMargin_px = 6;
 class StillCube final : public vtkAnnotatedCubeActor {
  public:
   static StillCube* New();
-  vtkTypeMacro(StillCube, vtkAnnotatedCubeActor)
-
   int RenderOpaqueGeometry(vtkViewport* viewport) override {
     return isMade() ? this->GetAssembly()->RenderOpaqueGeometry(viewport) : this->Superclass::RenderOpaqueGeometry(viewport);
   }
@@ -41,8 +39,10 @@ class StillCube final : public vtkAnnotatedCubeActor {
   [[nodiscard]] bool isMade() { return std::exchange(madeAt_, this->GetMTime()) == this->GetMTime(); }
 
   vtkMTimeType madeAt_ = 0;
+
+  vtkTypeMacro(StillCube, vtkAnnotatedCubeActor)
 };
-vtkStandardNewMacro(StillCube);
+vtkStandardNewMacro(StillCube)
 
 }  // namespace
 
