@@ -3,6 +3,12 @@
 #include "ew/ui_test_door/body.h"
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <QApplication>
 #include <QSignalSpy>
 #include <QSurfaceFormat>
@@ -345,6 +351,45 @@ class View3DTest : public QObject {
       }
       if (width == 1000) QVERIFY2(widest - narrowest <= 1, qPrintable(QStringLiteral("%1 to %2").arg(narrowest).arg(widest)));
     }
+  }
+
+  void aKeptBodyIsNotDrawnAgainAndLooksAsIfItWere() {
+    auto* canvas = static_cast<ui::BodyCanvas*>(view_->canvas());
+    vtkRenderer* lowest = canvas->renderWindow().GetRenderers()->GetFirstRenderer();
+    QCOMPARE(lowest->GetLayer(), 0);
+    int bodies = 0;
+    vtkNew<vtkCallbackCommand> drawn;
+    drawn->SetClientData(&bodies);
+    drawn->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+    lowest->AddObserver(vtkCommand::EndEvent, drawn);
+    const auto look = [&] {
+      bodies = 0;
+      view_->renderNow();
+      return canvas->grab().toImage();
+    };
+    const QImage first = look();
+    view_->setPose(poseOf(turned(hand_->hold(), 0.7, 0.2, -0.4)));
+    const QImage moved = look();
+    QCOMPARE(bodies, 0);
+    QVERIFY(moved != first);
+    const std::vector<std::pair<const char*, std::function<void()>>> changes{
+        {"nothing but the order to draw it", [this] { view_->setBodyOpacity(1.0); }},
+        {"another place of the viewer", [this] { view_->scene().orbit(0.2, 0.1); }},
+        {"other colours", [this] { view_->setDarkTheme(false); }},
+        {"a body to look through", [this] { view_->setBodyOpacity(0.5); }},
+        {"skin with a tint",
+         [this] { view_->setCoverage(std::vector<float>(static_cast<std::size_t>(body_->surface->GetNumberOfPoints()), 1.0F)); }},
+        {"another size", [this] { view_->resize(kSize - QSize(60, 80)); }}};
+    QImage before = moved;
+    for (const auto& [what, change] : changes) {
+      change();
+      const QImage anew = look();
+      QVERIFY2(bodies > 0, what);
+      QVERIFY2((anew == before) == (what == changes.front().first), what);
+      QVERIFY2(look() == anew && bodies == 0, what);
+      before = anew;
+    }
+    lowest->RemoveObserver(drawn);
   }
 
   void manyChangesInOneTurnAreDrawnOnce() {
