@@ -11,6 +11,7 @@
 #include "discs.h"
 #include "ew/core/contract.h"
 #include "ew/core/find_entry.h"
+#include "ew/core/word_table.h"
 #include "spreads.h"
 
 namespace ew::measurement {
@@ -41,17 +42,17 @@ constexpr std::array kKinds{KindInfo{CaliperKind::distance, "distance", {1, 2, 2
                             KindInfo{CaliperKind::heartRate, "heart_rate", {1, 2, 2, true}},
                             KindInfo{CaliperKind::depthDistance, "depth_distance", {1, 2, 2, true}}};
 
-constexpr std::array<std::pair<FigureKind, std::string_view>, 11> kFigures{{{FigureKind::length, "length"},
-                                                                            {FigureKind::circumference, "circumference"},
-                                                                            {FigureKind::area, "area"},
-                                                                            {FigureKind::longAxis, "long_axis"},
-                                                                            {FigureKind::shortAxis, "short_axis"},
-                                                                            {FigureKind::angle, "angle"},
-                                                                            {FigureKind::ratio, "ratio"},
-                                                                            {FigureKind::volume, "volume"},
-                                                                            {FigureKind::slope, "slope"},
-                                                                            {FigureKind::heartRate, "heart_rate"},
-                                                                            {FigureKind::duration, "duration"}}};
+constexpr WordTable<FigureKind, 11> kFigures{{{"length", FigureKind::length},
+                                              {"circumference", FigureKind::circumference},
+                                              {"area", FigureKind::area},
+                                              {"long_axis", FigureKind::longAxis},
+                                              {"short_axis", FigureKind::shortAxis},
+                                              {"angle", FigureKind::angle},
+                                              {"ratio", FigureKind::ratio},
+                                              {"volume", FigureKind::volume},
+                                              {"slope", FigureKind::slope},
+                                              {"heart_rate", FigureKind::heartRate},
+                                              {"duration", FigureKind::duration}}};
 
 const KindInfo& infoOf(CaliperKind kind) {
   const auto found = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindInfo& info) { return info.kind == kind; });
@@ -387,9 +388,7 @@ std::optional<CaliperKind> caliperKindOf(std::string_view word) {
 
 CaliperShape shapeOf(CaliperKind kind) { return infoOf(kind).shape; }
 
-std::string_view wordOf(FigureKind kind) {
-  return std::find_if(kFigures.begin(), kFigures.end(), [&](const auto& each) { return each.first == kind; })->second;
-}
+std::string_view wordOf(FigureKind kind) { return wordIn(kFigures, kind); }
 
 Figure figureOf(const CaliperFigure& figure) {
   return {std::string(wordOf(figure.kind)), figure.quantity.value, std::string(symbolOf(figure.quantity.unit)),

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -6,6 +5,7 @@
 
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/measurement/package.h"
 
 namespace ew::measurement {
@@ -17,16 +17,16 @@ constexpr double kFarthest = 1e9;
 constexpr std::size_t kMostEntries = 200;
 constexpr std::size_t kLongestText = 600;
 
-constexpr std::array<std::pair<std::string_view, ItemMeasure>, 10> kMeasures{{{"distance", ItemMeasure::distance},
-                                                                              {"circumference", ItemMeasure::circumference},
-                                                                              {"area", ItemMeasure::area},
-                                                                              {"volume", ItemMeasure::volume},
-                                                                              {"angle", ItemMeasure::angle},
-                                                                              {"ratio", ItemMeasure::ratio},
-                                                                              {"slope", ItemMeasure::slope},
-                                                                              {"heart_rate", ItemMeasure::heartRate},
-                                                                              {"number", ItemMeasure::number},
-                                                                              {"choice", ItemMeasure::choice}}};
+constexpr WordTable<ItemMeasure, 10> kMeasures{{{"distance", ItemMeasure::distance},
+                                                {"circumference", ItemMeasure::circumference},
+                                                {"area", ItemMeasure::area},
+                                                {"volume", ItemMeasure::volume},
+                                                {"angle", ItemMeasure::angle},
+                                                {"ratio", ItemMeasure::ratio},
+                                                {"slope", ItemMeasure::slope},
+                                                {"heart_rate", ItemMeasure::heartRate},
+                                                {"number", ItemMeasure::number},
+                                                {"choice", ItemMeasure::choice}}};
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSides{{{"right", "right"}, {"left", "left"}}};
 
@@ -324,9 +324,7 @@ struct PackageReader {
 
 }  // namespace
 
-std::string_view wordOf(ItemMeasure measure) {
-  return std::find_if(kMeasures.begin(), kMeasures.end(), [&](const auto& each) { return each.second == measure; })->first;
-}
+std::string_view wordOf(ItemMeasure measure) { return wordIn(kMeasures, measure); }
 
 Result<Package> packageFromJson(const json& document, const std::string& id, const Message& where) {
   JsonReading reading(where, {"note"});

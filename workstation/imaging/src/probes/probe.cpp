@@ -12,6 +12,7 @@
 #include "ew/core/ending.h"
 #include "ew/core/json_fields.h"
 #include "ew/core/numbers.h"
+#include "ew/core/word_table.h"
 #include "ew/imaging/settings_json.h"
 #include "sound.h"
 
@@ -26,11 +27,11 @@ constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 constexpr std::size_t kMostCarriers = 8;
 
-constexpr std::array<std::pair<std::string_view, ProbeKind>, 5> kKinds = {{{"linear", ProbeKind::linear},
-                                                                           {"convex", ProbeKind::convex},
-                                                                           {"phased", ProbeKind::phased},
-                                                                           {"endocavity", ProbeKind::endocavity},
-                                                                           {"swept_sector", ProbeKind::sweptSector}}};
+constexpr WordTable<ProbeKind, 5> kKinds = {{{"linear", ProbeKind::linear},
+                                             {"convex", ProbeKind::convex},
+                                             {"phased", ProbeKind::phased},
+                                             {"endocavity", ProbeKind::endocavity},
+                                             {"swept_sector", ProbeKind::sweptSector}}};
 
 constexpr std::array<std::string_view, 14> kFieldsOfAll = {"format",
                                                            "name",
@@ -161,7 +162,7 @@ Result<Probe> readProbe(const std::filesystem::path& file) {
 json toJson(const Probe& probe) {
   json object = {{"format", kFormatVersion},
                  {"name", probe.name},
-                 {"kind", std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& k) { return k.second == probe.kind; })->first},
+                 {"kind", wordIn(kKinds, probe.kind)},
                  {"lines", probe.lines},
                  {"carrier_hz", probe.carrier_hz},
                  {"aperture_mm", probe.aperture_mm},
