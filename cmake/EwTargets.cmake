@@ -87,6 +87,10 @@ function(ew_group_test target)
   add_dependencies(tests_${folder} ${target})
 endfunction()
 
+# For programs that open plugins: the mark of a thread that somebody waits for (ew/core/responsive_thread.h) is the program's, and not one of
+# each copy of core.
+set(EW_EXPORT_THREAD_MARK "LINKER:--export-dynamic-symbol=ewResponsiveMarks")
+
 # ew_add_test(NAME SOURCES ... LINK ... [LABELS ...] [TIMEOUT s]): a GoogleTest program tests/ run by ctest, one entry per TEST.
 # TIMEOUT guards against hanging alone: it is at least ten times what a test takes on a machine that does nothing else.
 function(ew_add_test name)

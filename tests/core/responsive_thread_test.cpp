@@ -1,5 +1,6 @@
 #include "ew/core/responsive_thread.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -22,6 +23,22 @@ TEST(ResponsiveThread, IsTheOneThatIsMarkedAsLongAsTheMarkLives) {
     EXPECT_FALSE(isWorkerMarked);
   }
   EXPECT_FALSE(isResponsiveThread());
+}
+
+TEST(ResponsiveThread, IsSeenByAPluginThatHasCoreInside) {
+  void* const copy = ::dlopen(EW_COPY_OF_CORE, RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(copy, nullptr) << ::dlerror();
+  const auto sees = reinterpret_cast<bool (*)()>(::dlsym(copy, "copySeesTheMark"));
+  ASSERT_NE(sees, nullptr);
+  EXPECT_FALSE(sees());
+  {
+    const ResponsiveThread mark;
+    EXPECT_TRUE(sees());
+    bool onWorker = true;
+    std::thread([&] { onWorker = sees(); }).join();
+    EXPECT_FALSE(onWorker);
+  }
+  EXPECT_FALSE(sees());
 }
 
 }  // namespace
