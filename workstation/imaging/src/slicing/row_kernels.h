@@ -82,10 +82,14 @@ class Announcer {
   }
   /// What samples n and following read.
   EW_REQUESTS void askFrom(int n) const {
-    if (onlyNearest_)
-      for (; n < count_; ++n) prefetch(corner_[0] + offset_[n]);
-    else
-      for (; n < count_; ++n) ask(n);
+    if (onlyNearest_) {
+      const std::uint8_t* const first = corner_[0];
+      const std::uint32_t* const offset = offset_;
+#pragma GCC unroll 8
+      for (const int count = count_; n < count; ++n) prefetch(first + offset[n]);
+      return;
+    }
+    for (; n < count_; ++n) ask(n);
   }
 
  private:
