@@ -13,24 +13,26 @@ constexpr std::array<std::int32_t, 5> kTaps{1, 4, 6, 4, 1};
 // A scatterer's part is the number of bits set among 32, less 16: variance 8. The taps' squares sum to 70 in each direction.
 constexpr double kMeanPower = 2.0 * 8.0 * 70.0 * 70.0 * 70.0;
 
-double latticeValue(std::uint64_t seed, std::int64_t i, std::int64_t j, std::int64_t k) {
-  return static_cast<double>(hashOfPlace(seed, i, j, k) >> 40) * (2.0 / 16777215.0) - 1.0;
+std::int64_t floorOf(double value) {
+  const auto whole = static_cast<std::int64_t>(value);
+  return static_cast<double>(whole) > value ? whole - 1 : whole;
 }
 
 }  // namespace
 
 double valueNoise(std::uint64_t seed, const glm::dvec3& at) {
-  const glm::dvec3 floor = glm::floor(at);
-  const glm::dvec3 t = at - floor;
+  const std::int64_t i = floorOf(at.x), j = floorOf(at.y), k = floorOf(at.z);
+  const glm::dvec3 t = at - glm::dvec3(i, j, k);
   const glm::dvec3 ease = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-  const auto i = static_cast<std::int64_t>(floor.x), j = static_cast<std::int64_t>(floor.y), k = static_cast<std::int64_t>(floor.z);
-  const auto along = [&](std::int64_t dj, std::int64_t dk) {
-    const double from = latticeValue(seed, i, j + dj, k + dk);
-    return from + ease.x * (latticeValue(seed, i + 1, j + dj, k + dk) - from);
+  const std::uint64_t place = sumOfPlace(seed, i, j, k);
+  const auto valueAt = [](std::uint64_t sum) { return static_cast<double>(hashOfSum(sum) >> 40) * (2.0 / 16777215.0) - 1.0; };
+  const auto along = [&](std::uint64_t sum) {
+    const double from = valueAt(sum);
+    return from + ease.x * (valueAt(sum + kStepsOfPlace[0]) - from);
   };
-  const double nearFrom = along(0, 0), farFrom = along(0, 1);
-  const double nearer = nearFrom + ease.y * (along(1, 0) - nearFrom);
-  const double farther = farFrom + ease.y * (along(1, 1) - farFrom);
+  const double nearFrom = along(place), farFrom = along(place + kStepsOfPlace[2]);
+  const double nearer = nearFrom + ease.y * (along(place + kStepsOfPlace[1]) - nearFrom);
+  const double farther = farFrom + ease.y * (along(place + kStepsOfPlace[1] + kStepsOfPlace[2]) - farFrom);
   return nearer + ease.z * (farther - nearer);
 }
 

@@ -91,13 +91,13 @@ class SheetsBelow final : public Shape {
     const double together = 0.6 * reach_ * valueNoise(sheets_.seed, at);
     constexpr double kNowhere = std::numeric_limits<double>::infinity();
     Nearest found{kNowhere, kNowhere};
-    for (std::size_t n = 0; n < depths_.size(); ++n) {
+    const auto ask = [&](std::size_t n) {
       const double away = std::abs(depth - depths_[n]) - 2.0 * reach_;
-      if (away > found.distance_mm && away > std::abs(found.middle_mm)) continue;
+      if (away > found.distance_mm && away > std::abs(found.middle_mm)) return false;
       const double own = 0.8 * reach_ * valueNoise(sheets_.seed + 1 + n, at);
       const double above = depths_[n] + together + own - depth;
       if (std::abs(above) * perSlope_ < std::abs(found.middle_mm)) found.middle_mm = above * perSlope_;
-      if (away > found.distance_mm) continue;
+      if (away > found.distance_mm) return true;
       double d = (std::abs(above) - 0.5 * sheets_.thickness_mm) * perSlope_;
       if (sheets_.missing > 0.0 && d < found.distance_mm) {
         const double length = 1.6 * sheets_.length_mm;
@@ -105,6 +105,16 @@ class SheetsBelow final : public Shape {
         d = std::max(d, gap * length / (2.0 * kNoiseSlope));
       }
       found.distance_mm = std::min(found.distance_mm, d);
+      return true;
+    };
+    // From this depth outwards: beyond a sheet that is too far all are.
+    auto deeper = static_cast<std::size_t>(std::lower_bound(depths_.begin(), depths_.end(), depth) - depths_.begin());
+    std::size_t shallower = deeper;
+    bool goesDeeper = deeper < depths_.size();
+    bool goesShallower = shallower > 0;
+    while (goesDeeper || goesShallower) {
+      if (goesDeeper) goesDeeper = ask(deeper) && ++deeper < depths_.size();
+      if (goesShallower) goesShallower = ask(shallower - 1) && --shallower > 0;
     }
     return found;
   }

@@ -7,13 +7,20 @@
 
 namespace ew {
 
-/// A 64-bit number that looks random for each place of an integer lattice. Integers only: the same on every machine.
-[[nodiscard]] constexpr std::uint64_t hashOfPlace(std::uint64_t seed, std::int64_t i, std::int64_t j, std::int64_t k) {
-  std::uint64_t z = seed * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(i) * 0xD1B54A32D192ED03ull +
-                    static_cast<std::uint64_t>(j) * 0xABC98388FB8FAC03ull + static_cast<std::uint64_t>(k) * 0x8CB92BA72F3D8DD7ull;
+/// Of seed and place, what hashOfPlace mixes; a step along i, j or k adds a constant.
+inline constexpr std::array<std::uint64_t, 3> kStepsOfPlace{0xD1B54A32D192ED03ull, 0xABC98388FB8FAC03ull, 0x8CB92BA72F3D8DD7ull};
+[[nodiscard]] constexpr std::uint64_t sumOfPlace(std::uint64_t seed, std::int64_t i, std::int64_t j, std::int64_t k) {
+  return seed * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(i) * kStepsOfPlace[0] +
+         static_cast<std::uint64_t>(j) * kStepsOfPlace[1] + static_cast<std::uint64_t>(k) * kStepsOfPlace[2];
+}
+[[nodiscard]] constexpr std::uint64_t hashOfSum(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
   return z ^ (z >> 31);
+}
+/// A 64-bit number that looks random for each place of an integer lattice. Integers only: the same on every machine.
+[[nodiscard]] constexpr std::uint64_t hashOfPlace(std::uint64_t seed, std::int64_t i, std::int64_t j, std::int64_t k) {
+  return hashOfSum(sumOfPlace(seed, i, j, k));
 }
 
 /// Smooth noise in [-1, 1]: random values on the integer lattice, joined without kinks.
