@@ -138,8 +138,8 @@ void EchoLosses::march(int plane) {
   }
 }
 
-SteppedGain EchoLosses::gainOf(int line, std::vector<float>& ofSteps) const {
-  const std::size_t asked = static_cast<std::size_t>(steps_) + SteppedGain::kBeyond;
+GainSteps EchoLosses::gainOf(int line, std::vector<float>& ofSteps) const {
+  const std::size_t asked = static_cast<std::size_t>(steps_) + GainSteps::kBeyond;
   ofSteps.resize(std::max(ofSteps.size(), asked));
   for (int s = 0; s < steps_; ++s) ofSteps[static_cast<std::size_t>(s)] = gains_[indexOf(0, s) + static_cast<std::size_t>(line)];
   const auto perColumn = static_cast<float>(layout_->grid.sampleSpacing_mm / step_mm_);

@@ -30,7 +30,7 @@ class EchoLosses {
             const Transform<frame::Voxel, frame::Probe>& probeToLevel, const EchoMotion& motion, Bands& bands);
   /// Of the amplitudes of a line.
   /// @param ofSteps memory of the result
-  [[nodiscard]] SteppedGain gainOf(int line, std::vector<float>& ofSteps) const;
+  [[nodiscard]] GainSteps gainOf(int line, std::vector<float>& ofSteps) const;
 
  private:
   static constexpr int kPlanes = 3;

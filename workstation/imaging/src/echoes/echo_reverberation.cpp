@@ -271,7 +271,7 @@ void EchoReverberation::bounce(const Front& front, const Echo& echo, const float
     const int begin = layout_->columnPadding + n * range;
     const int first = n == 1 ? behind : 0, count = std::min(range + behind, layout_->columns - begin) - first;
     if (count <= 0) break;
-    const TurnedRow copy{before + 2 * (layout_->columnPadding + first), static_cast<float>(amplitudeOf(level_db)), n % 4};
+    const QuarterTurnRow copy{before + 2 * (layout_->columnPadding + first), static_cast<float>(amplitudeOf(level_db)), n % 4};
     addTurned(&copy, 1, count, field.data() + 2 * (begin + first));
   }
 }
@@ -328,7 +328,7 @@ void EchoReverberation::clutter(int line, const float* before, std::span<float> 
   const Copy* copies = copies_.data() + static_cast<std::size_t>(line) * kClutter_mm.size();
   for (std::size_t n = 0; n < kClutter_mm.size(); ++n)
     if (const Copy& copy = copies[n]; copy.delay < layout_->columns) {
-      const TurnedRow row{before, copy.weight, copy.quarter};
+      const QuarterTurnRow row{before, copy.weight, copy.quarter};
       addTurned(&row, 1, layout_->columns - copy.delay, field.data() + 2 * copy.delay);
     }
 }

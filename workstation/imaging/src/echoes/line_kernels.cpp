@@ -61,7 +61,7 @@ void filterLaterallyOf(const LateralTask& task) {
 
 /// Two factors of a vector of columns, from the two vectors of steps that begin at the first one's.
 template <class D>
-HWY_INLINE hn::Vec<D> gainAt(D d, const SteppedGain& gain, int column) {
+HWY_INLINE hn::Vec<D> gainAt(D d, const GainSteps& gain, int column) {
   const hn::RebindToSigned<D> di;
   const auto columns = hn::ConvertTo(d, hn::Iota(di, column));
   const auto at = hn::Add(hn::Set(d, gain.first), hn::Mul(columns, hn::Set(d, gain.perColumn)));
@@ -82,7 +82,7 @@ HWY_INLINE hn::Vec<D> gainAt(D d, const SteppedGain& gain, int column) {
   return hn::Add(here, hn::Mul(part, hn::Sub(next, here)));
 }
 
-void scaleComplexOf(const SteppedGain& gain, int count, float* inOut) {
+void scaleComplexOf(const GainSteps& gain, int count, float* inOut) {
   forColumns(count, [&](auto d, int x) HWY_ATTR {
     const auto factor = gainAt(d, gain, x);
     const auto lanes = static_cast<int>(hn::Lanes(d));
@@ -95,21 +95,21 @@ void scaleComplexOf(const SteppedGain& gain, int count, float* inOut) {
   });
 }
 
-struct TurnedWeight {
+struct QuarterTurnWeight {
   float ofEven, ofOdd;  ///< of the real and of the imaginary part
   bool swaps;           ///< the two parts of what is added
 };
-TurnedWeight weightOf(const TurnedRow& row) {
+QuarterTurnWeight weightOf(const QuarterTurnRow& row) {
   const float weight = row.quarter == 2 || row.quarter == 3 ? -row.weight : row.weight;
-  return row.quarter % 2 == 1 ? TurnedWeight{-weight, weight, true} : TurnedWeight{weight, weight, false};
+  return row.quarter % 2 == 1 ? QuarterTurnWeight{-weight, weight, true} : QuarterTurnWeight{weight, weight, false};
 }
 
 /// @return how many numbers were added
 template <class D>
-HWY_INLINE int addTurnedRows(D d, const TurnedRow* rows, const TurnedWeight* weights, int rowCount, int numbers, float* out) {
+HWY_INLINE int addTurnedRows(D d, const QuarterTurnRow* rows, const QuarterTurnWeight* weights, int rowCount, int numbers, float* out) {
   const auto lanes = static_cast<int>(hn::Lanes(d));
   if constexpr (hn::MaxLanes(D()) > 1) {
-    hn::Vec<D> weight[kMostTurnedRows];
+    hn::Vec<D> weight[kMostQuarterTurnRows];
     for (int n = 0; n < rowCount; ++n) weight[n] = hn::OddEven(hn::Set(d, weights[n].ofOdd), hn::Set(d, weights[n].ofEven));
     int x = 0;
     for (; x + lanes <= numbers; x += lanes) {
@@ -125,12 +125,12 @@ HWY_INLINE int addTurnedRows(D d, const TurnedRow* rows, const TurnedWeight* wei
   return 0;
 }
 
-void addTurnedOf(const TurnedRow* rows, int rowCount, int count, float* out) {
-  TurnedWeight weights[kMostTurnedRows];
+void addTurnedOf(const QuarterTurnRow* rows, int rowCount, int count, float* out) {
+  QuarterTurnWeight weights[kMostQuarterTurnRows];
   for (int n = 0; n < rowCount; ++n) weights[n] = weightOf(rows[n]);
   for (int x = addTurnedRows(hn::ScalableTag<float>(), rows, weights, rowCount, 2 * count, out); x < 2 * count; x += 2)
     for (int n = 0; n < rowCount; ++n) {
-      const TurnedWeight& weight = weights[n];
+      const QuarterTurnWeight& weight = weights[n];
       const float* in = rows[n].in + x;
       out[x] += in[weight.swaps ? 1 : 0] * weight.ofEven;
       out[x + 1] += in[weight.swaps ? 0 : 1] * weight.ofOdd;
@@ -337,8 +337,8 @@ HWY_EXPORT(addFallingOf);
 HWY_EXPORT(addSquaresOf);
 
 void filterLaterally(const LateralTask& task) { HWY_DYNAMIC_DISPATCH(filterLaterallyOf)(task); }
-void scaleComplex(const SteppedGain& gain, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(scaleComplexOf)(gain, count, inOut); }
-void addTurned(const TurnedRow* rows, int rowCount, int count, float* out) {
+void scaleComplex(const GainSteps& gain, int count, float* inOut) { HWY_DYNAMIC_DISPATCH(scaleComplexOf)(gain, count, inOut); }
+void addTurned(const QuarterTurnRow* rows, int rowCount, int count, float* out) {
   HWY_DYNAMIC_DISPATCH(addTurnedOf)(rows, rowCount, count, out);
 }
 void addComplexNoise(std::uint64_t key, const float* strength, int count, float* inOut) {

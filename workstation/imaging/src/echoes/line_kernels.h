@@ -28,25 +28,25 @@ void filterLaterally(const LateralTask& task);
 
 /// Factors at even steps, of which `first + n perColumn` is that of the n-th complex number: it is scaled by what lies between the two
 /// steps around it, the outermost ones beyond.
-struct SteppedGain {
+struct GainSteps {
   const float* ofSteps = nullptr;  ///< steps, and kBeyond more that are read but do not count
   int steps = 2;
   float first = 0.0F;
   float perColumn = 1.0F;
   static constexpr int kBeyond = 64;
 };
-void scaleComplex(const SteppedGain& gain, int count, float* inOut);
+void scaleComplex(const GainSteps& gain, int count, float* inOut);
 
 /// A complex row, `weight` as strong and a quarter of a turn on `quarter` times.
-struct TurnedRow {
+struct QuarterTurnRow {
   const float* in = nullptr;
   float weight = 0.0F;
   int quarter = 0;
 };
 /// out += weight * i^quarter * in, row after row.
-/// @param rows kMostTurnedRows at most
-void addTurned(const TurnedRow* rows, int rowCount, int count, float* out);
-inline constexpr int kMostTurnedRows = 8;
+/// @param rows kMostQuarterTurnRows at most
+void addTurned(const QuarterTurnRow* rows, int rowCount, int count, float* out);
+inline constexpr int kMostQuarterTurnRows = 8;
 
 /// inOut += strength[n] times a complex number whose parts are nearly normal with deviation 1, hashed from key and n.
 void addComplexNoise(std::uint64_t key, const float* strength, int count, float* inOut);

@@ -160,9 +160,9 @@ void LiveEchoes::addNoise(const NoiseEffect& noise, std::uint64_t frameNumber, B
 }
 
 void LiveEchoes::addHaze(int line, std::span<float> out) {
-  static_assert(2 * kLobesOnASide <= kMostTurnedRows);
+  static_assert(2 * kLobesOnASide <= kMostQuarterTurnRows);
   const auto lines = static_cast<int>(layout_.grid.lines.size());
-  std::array<TurnedRow, kMostTurnedRows> rows;
+  std::array<QuarterTurnRow, kMostQuarterTurnRows> rows;
   for (int tile = 0; tile < layout_.tiles; ++tile) {
     const int first = tile * kTileColumns, count = std::min(kTileColumns, layout_.columns - first);
     int seen = 0;
