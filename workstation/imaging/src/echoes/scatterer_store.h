@@ -27,6 +27,7 @@ class ScattererStore {
  public:
   void forget() {
     keys_.assign(keys_.size(), Ways{});
+    lastFrame_.assign(keys_.size(), {});  // or what is forgotten would stay longer than what comes
     frame_ = 0;
   }
   /// A frame that asks for so many blocks begins.
