@@ -24,9 +24,9 @@ constexpr std::uint64_t kWorthwhile_bytes = std::uint64_t{1} << 20;
 /// Compared and given back together, so that hardly more than what is given back is needed meanwhile.
 constexpr std::uint64_t kPiece_bytes = std::uint64_t{4} << 20;
 
-/// Whether a file system lies on another machine, or in another program: what it has may go away (statfs(2) has these numbers).
+/// Whether a file system lies on another machine, or in another program: what it has may go away (most of these numbers are in statfs(2)).
 bool isElsewhere(int file) {
-  constexpr std::array<std::uint32_t, 11> kElsewhere = {
+  constexpr std::array<std::uint32_t, 18> kElsewhere = {
       0x00006969,  // NFS
       0x0000517B,  // SMB
       0xFF534D42,  // CIFS
@@ -35,13 +35,27 @@ bool isElsewhere(int file) {
       0x01021997,  // 9P
       0x00C36400,  // Ceph
       0x5346414F,  // AFS
+      0x6B414653,  // the kernel's own AFS
       0x73757245,  // Coda
       0x0000564C,  // NCP
       0x47504653,  // GPFS
+      0x0BD00BD0,  // Lustre
+      0x19830326,  // BeeGFS
+      0x01161970,  // GFS2
+      0x7461636F,  // OCFS2
+      0x786F4256,  // VirtualBox
+      0xBACBACBC,  // VMware
   };
   struct statfs found {};
   if (::fstatfs(file, &found) != 0) return true;
   return std::find(kElsewhere.begin(), kElsewhere.end(), static_cast<std::uint32_t>(found.f_type)) != kElsewhere.end();
+}
+
+/// Where pages of a file could not take the place of `to`, whose own the system may have taken away before it said so: pages of the program
+/// with the same values.
+void restore(std::span<std::uint8_t> to, const void* values) {
+  void* const again = ::mmap(to.data(), to.size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
+  if (again != MAP_FAILED) std::memcpy(again, values, to.size());
 }
 
 /// @param to begins and ends with a page @return whether the file has the same there
@@ -50,6 +64,7 @@ bool restPiece(std::span<std::uint8_t> to, int file, std::uint64_t offset_bytes)
   if (there == MAP_FAILED) return false;
   const bool isSame = std::memcmp(there, to.data(), to.size()) == 0;
   if (!isSame || ::mremap(there, to.size(), to.size(), MREMAP_MAYMOVE | MREMAP_FIXED, to.data()) == MAP_FAILED) {
+    if (isSame) restore(to, there);
     ::munmap(there, to.size());
     return false;
   }
