@@ -75,6 +75,25 @@ TEST(RestInFile, LeavesValuesAsTheyAreAndTheirPagesInTheFile) {
   EXPECT_TRUE(values.holds(changed)) << "a file without a name still holds them";
 }
 
+TEST(RestInFile, LeavesTheHeadersLinesAsShortAsOthersReadThem) {
+  const TempFolder folder;
+  for (int more = 0; more < 3; ++more) {
+    Volume volume;
+    volume.grid.dims = {128 + 100 * more, 128, 128};
+    volume.grid.origin_mm.x = more == 1 ? 1.0 / 3.0 : 0.0;
+    volume.echo.assign(volume.grid.voxelCount(), 9);
+    const auto file = folder / "plain.mha";
+    ASSERT_TRUE(writeVolume(volume, file, noProgress(), {.compress = false}));
+    std::ifstream in(file, std::ios::binary);
+    std::uint64_t begin_bytes = 0;
+    for (std::string line; begin_bytes == 0 && std::getline(in, line);) {
+      EXPECT_LT(line.size(), 500u) << line;
+      if (line == "ElementDataFile = LOCAL") begin_bytes = static_cast<std::uint64_t>(in.tellg());
+    }
+    EXPECT_EQ(begin_bytes % kPage, kBlockBegin_bytes);
+  }
+}
+
 TEST(RestInFile, KeepsInMemoryWhatTheFileDoesNotHold) {
   const TempFolder folder;
   const Volume volume = filled();

@@ -62,12 +62,17 @@ std::string headerText(const MetaText& meta, bool compressed, std::size_t* sizeA
   return text;
 }
 
-/// A header with blanks at the end of its line of the centre of rotation, so that samples behind it begin within a page where large vectors
-/// do (restInFile).
+/// A header with blanks at the ends of its first lines, so that samples behind it begin within a page where large vectors do (restInFile).
+/// Others read what is left of a line into 500 bytes and nothing behind a longer one (MetaIO, which ITK and 3D Slicer have).
 std::string paddedHeader(std::string text) {
-  constexpr std::size_t kPage = 4096;
-  const std::size_t at = text.find('\n', text.find("CenterOfRotation"));
-  text.insert(at, (kPage + kBlockBegin_bytes - text.size() % kPage) % kPage, ' ');
+  constexpr std::size_t kPage = 4096, kMostOfLine = 400;  // eleven lines have room for a page
+  std::size_t missing = (kPage + kBlockBegin_bytes - text.size() % kPage) % kPage;
+  for (std::size_t at = text.find('\n'); missing > 0 && at != std::string::npos;) {
+    const std::size_t blanks = std::min(missing, kMostOfLine);
+    text.insert(at, blanks, ' ');
+    missing -= blanks;
+    at = text.find('\n', at + blanks + 1);
+  }
   return text;
 }
 
