@@ -114,7 +114,7 @@ class Telling {
     fresh_ += one.score && !one.wasUpToDate ? 1 : 0;
     problems_ += one.problem ? 1 : 0;
     const std::string who = who_(one.attempt);
-    told_.push_back({lineOf(one, who), summaryOf(one, who).dump(), {}});
+    told_.push_back({lineOf(one, who), summaryOf(one, who).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), {}});
     if (!one.score) return;
     for (const Message& note : one.score->notes) told_.back().notes.push_back(say<"%1: %2">(one.folder.filename(), note));
     if (!arguments_.output.empty() && written_) written_ = writeScore(one);
