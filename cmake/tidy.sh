@@ -96,6 +96,9 @@ ew_tidy_groups() {
         printf "%s", list[n] >(own "/files")
         printf "%s", text[n] >source
         printf "[{%s -c \\\"%s\\\"\", \"file\": \"%s\"}]\n", start[n], source, source >(own "/compile_commands.json")
+        close(own "/files")
+        close(source)
+        close(own "/compile_commands.json")
         print own
       }
     }' <(printf '%s\n' "$@") "$folder/compile_commands.json"
