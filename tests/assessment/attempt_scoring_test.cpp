@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
 #include <set>
 
 #include "assessment/assessed_world.h"
@@ -287,17 +288,28 @@ TEST(Assess, HandsOverInOrderAndHoldsNoMoreHoweverManyThereAre) {
   std::vector<fs::path> folders;
   for (int n = 0; n < 3; ++n) folders.push_back(world.keep("20261101-10000" + std::to_string(n) + "-aeaeaeae", {{.step = "answer"}}));
   constexpr std::size_t kMany = 1200;
-  for (std::size_t n = folders.size(); n < kMany; ++n) folders.push_back(folders[n % 3]);
-  std::vector<fs::path> taken;
-  taken.reserve(kMany);
+  for (std::size_t n = folders.size(); n + 1 < kMany; ++n) folders.push_back(folders[n % 3]);
+  const fs::path last = world.keep("20261101-100009-aeaeaeae", {{.step = "answer"}});
+  folders.push_back(last);
+  std::size_t taken = 0;
   std::uint64_t early_bytes = 0, late_bytes = 0;
+  std::optional<Error> ofLast;
   assess(folders, world.library(), {.threads = 1}, noProgress(), [&](const AttemptAssessment& one) {
+    ASSERT_LT(taken, kMany);
+    EXPECT_EQ(one.folder, folders[taken]);
+    if (++taken == kMany) {
+      ofLast = one.problem;
+      return;
+    }
     ASSERT_FALSE(one.problem) << *one.problem;
-    taken.push_back(one.folder);
-    if (taken.size() == 100) early_bytes = test::memoryInUse_bytes();
-    if (taken.size() == kMany - 100) late_bytes = test::memoryInUse_bytes();
+    if (taken == kMany - 100) late_bytes = test::memoryInUse_bytes();
+    if (taken != 100) return;
+    early_bytes = test::memoryInUse_bytes();
+    fs::remove_all(last);
   });
-  EXPECT_EQ(taken, folders);
+  EXPECT_EQ(taken, kMany);
+  EXPECT_TRUE(ofLast) << "it was scored before its turn came, with all others in memory";
+  // Were each kept that was handed over, it would be four times as much at least.
   constexpr std::uint64_t kLeastAttempt_bytes = sizeof(AttemptAssessment);
   EXPECT_LT(late_bytes, early_bytes + (kMany - 200) * kLeastAttempt_bytes / 4) << "a thousand attempts later";
 }
