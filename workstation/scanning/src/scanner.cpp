@@ -35,6 +35,7 @@ void Scanner::show(ScanSubject subject) {
 void Scanner::refine(ScanSubject better) {
   EW_EXPECTS(subject_.has_value());
   sliced_.reset();
+  if (better.tissue != seenTissue_) seenTissue_.reset();
   subject_ = std::move(better);
 }
 
