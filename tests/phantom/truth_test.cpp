@@ -103,7 +103,7 @@ TEST(Measurements, ThatCannotBeTakenSayWhy) {
       {R"("kind": "distance", "gap_between": ["ball", "egg"], "from_mm": [-20, 20, 0], "to_mm": [-20, 20, 40])", "does not enter egg"},
       {R"("kind": "diameter", "of": "liver", "at_mm": [0, 0, 0])", "the name of a shape or organ"},
       {R"("kind": "diameter", "of": "egg", "place": "largest")", "a tube"},
-      {R"("kind": "angle", "of": "egg")", "\"diameter\", \"distance\""},
+      {R"("kind": "angle", "of": "egg")", "\"distance\", \"diameter\""},
       {R"("kind": "volume")", "the name of a shape"},
       {R"("kind": "distance", "from_mm": [0, 0, 0])", "two places"},
       {R"("kind": "volume", "of": "egg", "plane": "none")", "one of the planes"}};
