@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Part of every name in the cache: raise it when the same case starts to give another volume, by whatever step.
-constexpr int kPreparationFormat = 5;
+constexpr int kPreparationFormat = 6;
 /// The same for the maps of tissue alone.
 constexpr int kMapsFormat = 3;
 /// And for the level of recorded tissue.
