@@ -5,10 +5,12 @@
 #include <QMetaObject>
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <system_error>
 #include <thread>
 
+#include "ew/core/elapsed.h"
 #include "ew/core/freed_memory.h"
 #include "ew/core/guarded.h"
 #include "ew/widgets/words.h"
@@ -87,8 +89,11 @@ int Jobs::start(const QString& title, Work work, Done done, Kind kind) {
   };
   try {
     raw->thread = std::thread([raw, deliverSoon, work = std::move(work)] {
+      constexpr double kLong_s = 0.5;
+      const auto begun = std::chrono::steady_clock::now();
       raw->outcome = guarded([&] { return work(*raw); }, unforeseen);
-      giveFreedMemoryBack();  // of a case that was prepared, nearly as much again as it keeps
+      // Of a case that was prepared, nearly as much again as it keeps; what was short took little.
+      if (secondsSince(begun) > kLong_s) giveFreedMemoryBack();
       deliverSoon();
     });
   } catch (const std::system_error&) {
