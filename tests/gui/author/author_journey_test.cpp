@@ -269,7 +269,7 @@ class AuthorJourneyTest : public WindowFixture {
     QVERIFY(waitUntil([&] { return hand.text("publishResult").startsWith(QStringLiteral("Revision 1 was exported")); }));
     keepScreenshot(*shown, "author-18-exported");
     shown->close();
-    const auto header = verifyBundle(bundle.toStdString());
+    const auto header = aside([&] { return verifyBundle(bundle.toStdString()); });
     QVERIFY2(header, header ? "" : header.error().sentence().c_str());
     QCOMPARE(header->id, opened().id);
     QCOMPARE(header->revision, 1);
