@@ -107,11 +107,13 @@ int Jobs::start(const QString& title, Work work, Done done, Kind kind) {
 Result<void> Jobs::await(const QString& title, Work work) {
   QEventLoop waiting;
   Result<void> came;
+  bool hasCome = false;
   start(title, std::move(work), [&](const Result<void>& outcome) {
     came = outcome;
-    waiting.quit();
+    hasCome = true;
   });
-  waiting.exec(QEventLoop::ExcludeUserInputEvents);
+  // Not exec(), which comes back when the program is told to end: the job uses what lies on this stack.
+  while (!hasCome) waiting.processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
   return came;
 }
 
