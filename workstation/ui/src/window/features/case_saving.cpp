@@ -141,11 +141,14 @@ void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
   auto found = std::make_shared<std::vector<LeftEdits>>();
   parts_.jobs.start(
       tr("Looking for unsaved changes"),
-      [found, root = keptEdits_.root()](Progress&) -> Result<void> {
+      [found, root = keptEdits_.root()](Progress& progress) -> Result<void> {
         for (EditAutosave::Left& left : EditAutosave(root).left()) {
+          if (progress.cancelRequested()) break;
           auto edited = caseFromManifest(left.manifest, left.caseFolder);
           found->push_back({std::move(left), std::move(edited)});
         }
+        // A window that is being closed asks nothing.
+        if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
         return {};
       },
       [this, found](const Result<void>& outcome) {
