@@ -186,10 +186,11 @@ void PlayerPanel::showLessons() {
 
 void PlayerPanel::takeListing(const Listing& read, const Result<void>& done) {
   isListing_ = false;
+  const auto asked = std::exchange(askedMeanwhile_, std::nullopt);  // who has begun something else meanwhile wants that
   if (isAtWork()) return;
   if (!done && done.error().code != ErrorCode::cancelled) fail(done.error());
   if (done) showListing(read);
-  if (const auto asked = std::exchange(askedMeanwhile_, std::nullopt)) goOn(asked->first, asked->second);
+  if (asked) goOn(asked->first, asked->second);
 }
 
 void PlayerPanel::showListing(const Listing& read) {
