@@ -149,6 +149,7 @@ void LessonPlayer::openCaseIn(const std::filesystem::path& folder) {
 
 void LessonPlayer::findAndOpen(const std::string& caseId) {
   const int load = ++loads_;
+  waitFor(tr("Getting the step ready…"));  // every case of the library may have to be read
   auto found = std::make_shared<std::filesystem::path>();
   host_.jobs().start(
       tr("Looking for the case of this step").toStdString(),
