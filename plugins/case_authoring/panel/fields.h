@@ -31,7 +31,7 @@ class ExaminationsField final : public ListField<CaseExamination> {
   explicit ExaminationsField(Of what = Of::examinations, QWidget* parent = nullptr);
 
   void setFolder(const std::filesystem::path& folder);  ///< of the case, where its images lie
-  /// The user wants images in an examination; answered by addPictures.
+  /// The user wants images in an examination; answered by addImages.
   std::function<void(std::size_t number)> onImagesAsked;
   /// @param files in the case folder, as it names them ("media/….png"); those that are there already stay once
   void addImages(std::size_t number, const std::vector<std::string>& files);
