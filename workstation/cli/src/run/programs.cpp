@@ -28,7 +28,9 @@ int become(const fs::path& program, const char* what, char** argv) {
 
 int becomeCommand(char** argv) {
   const fs::path program = programBeside(kCommandProgram);
-  return become(program.empty() ? fs::path(kCommandProgram) : program, "The program of the commands", argv);
+  if (!program.empty()) return become(program, "The program of the commands", argv);
+  std::cerr << "echoweave: The program of the commands, " << kCommandProgram << ", is not here; install EchoWeave again.\n";
+  return kFailed;
 }
 
 bool hasDisplay() {
