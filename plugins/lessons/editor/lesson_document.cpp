@@ -99,6 +99,8 @@ void LessonDocument::readLibrary() {
       tr("Looking for cases that a step may scan").toStdString(),
       [found, home = home_ ? home_->id : std::string()](Progress& progress) -> Result<void> {
         *found = casesBeside(home, progress);
+        // Of half a library it would be said that a step's case is not in it.
+        if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
         return {};
       },
       [document = QPointer<LessonDocument>(this), found, of](const Result<void>& done) {
