@@ -42,7 +42,8 @@ KeptLayer::~KeptLayer() {
 
 void KeptLayer::prepare(bool isNew) {
   const int* size = window_.GetSize();
-  if (isNew || size[0] != width_ || size[1] != height_) width_ = height_ = 0;
+  const bool isGone = kept_->GetFBOIndex() == 0;  // with the OpenGL of its window
+  if (isNew || isGone || size[0] != width_ || size[1] != height_) width_ = height_ = 0;
   layer_.SetDraw(width_ == 0);
 }
 
@@ -53,7 +54,7 @@ void KeptLayer::keep() {
   const int* size = window->GetSize();
   vtkOpenGLState& state = *window->GetState();
   state.PushFramebufferBindings();
-  if (kept_->GetContext() == nullptr) {
+  if (kept_->GetFBOIndex() == 0) {
     kept_->SetContext(window);
     kept_->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, false, 0, 0);
   } else {

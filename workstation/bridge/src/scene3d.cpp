@@ -552,6 +552,7 @@ void Scene3D::render(Edges edges) {
   if (!(std::exchange(p.drawnFrom, from) == from)) p.isBodyNew = true;
   p.keptBody.prepare(std::exchange(p.isBodyNew, false));
   p.window->Render();
+  p.bodyLayer->SetDraw(1);  // a widget that has the window drawn by itself, after a change of its size, draws all of it
 }
 
 }  // namespace ew::bridge

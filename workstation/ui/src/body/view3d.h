@@ -65,8 +65,8 @@ class View3D : public QWidget {
   void showFrom(bridge::CameraPreset preset);
   void fitToVolume();  ///< looks at the volume box, or at the trunk when there is none
 
-  /// Draws once, soon: after what is to be painted now, and after a rest twice as long as the last drawing took; edges are
-  /// smoothed when nothing has moved for a quarter of a second.
+  /// Draws once, soon: after what is to be painted now, and after a rest twice as long as the last drawing took, ten times without a
+  /// graphics processor, but no longer than 100 ms; edges are smoothed when nothing has moved for a quarter of a second.
   void render();
   /// Draws at once with smooth edges, for screenshots; the image is complete when this returns.
   void renderNow();
