@@ -116,7 +116,7 @@ void FilesDialog::showFiles(const Found& found, const std::optional<Error>& prob
                       : tr("Taken out before: %1. They lie in %2.")
                             .arg(namesOf(withdrawn_.front().paths).join(QStringLiteral(", ")), words(withdrawn_.front().folder.string())));
   aside_->setVisible(!withdrawn_.empty());
-  putBack_->setEnabled(!withdrawn_.empty());
+  putBack_->setEnabled(!withdrawn_.empty() && !isMoving_);
   setProblem(problem_, problem ? words(*problem) : QString());
   showChosen();
 }
@@ -125,7 +125,7 @@ void FilesDialog::showChosen() {
   const auto chosen = list_->selectedItems();
   bool areFree = !chosen.isEmpty();
   for (const QTreeWidgetItem* each : chosen) areFree = areFree && each->data(kFile, Qt::UserRole).toBool();
-  takeOut_->setEnabled(areFree);
+  takeOut_->setEnabled(areFree && !isMoving_);
   takeOut_->setToolTip(areFree            ? tr("They are moved aside, and not handed on with the case")
                        : chosen.isEmpty() ? tr("Choose files that nothing uses")
                                           : tr("What is in use stays; choose files that nothing uses"));
@@ -160,12 +160,14 @@ void FilesDialog::takeOut() {
 }
 
 void FilesDialog::moveFiles(const QString& title, std::function<Result<void>()> work) {
+  isMoving_ = true;
   takeOut_->setEnabled(false);
   putBack_->setEnabled(false);
   host_.jobs().startSaving(
       title.toStdString(), [work = std::move(work)](Progress&) { return work(); },
       [this, alive = QPointer<FilesDialog>(this)](const Result<void>& done) {
         if (!alive) return;
+        isMoving_ = false;
         if (!done) return fail(done.error());
         look();
         Q_EMIT filesChanged();

@@ -47,6 +47,7 @@ class FilesDialog final : public QDialog {
   QPushButton* putBack_ = nullptr;
   std::vector<WithdrawnFiles> withdrawn_;  ///< the latest first
   int looks_ = 0;                          ///< so far: what an earlier one found is not shown
+  bool isMoving_ = false;                  ///< one job at a time moves files
   sdk::Cases::Ticket ticket_;
 };
 
