@@ -121,7 +121,8 @@ void ReplayBar::advance() {
   position_s_ += passed_s;
   if (position_s_ >= length_s()) {
     if (loop_->isChecked()) {
-      position_s_ = 0.0;
+      // What went by beyond the end counts: a recording shorter than a tick would stand still at its beginning.
+      position_s_ = length_s() > 0.0 ? std::fmod(position_s_, length_s()) : 0.0;
     } else {
       position_s_ = length_s();
       setPlaying(false);
