@@ -244,7 +244,7 @@ class RecordingTest : public WindowFixture {
       } else {
         toggleRecording();
       }
-      QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedRecordingQuestion")});
+      QVERIFY2(stay.asked == QStringList{QStringLiteral("unsavedRecordingQuestion")}, closes ? "when closing" : "when beginning another");
       QVERIFY(bar().recording() == kept && !window_->recorder().isRecording());
     }
     const QString next = files_.writeCase(QStringLiteral("next"));
