@@ -242,7 +242,7 @@ TEST_F(MetricsOfAStep, AreTheSameWhereTheJudgeHasCountedWhatWasPassed) {
   const auto counted = metricsOf({step("free"), outcome, &part, passed}, *ground->caseOf(step("free")), {});
   ASSERT_TRUE(counted) << counted.error();
   EXPECT_EQ(*counted, of("free", part)) << "to the last bit";
-  const auto other = metricsOf({step("free"), outcome, &part, PassedVoxels{1, 4}}, *ground->caseOf(step("free")), {});
+  const auto other = metricsOf({step("free"), outcome, &part, VoxelPass{1, 4}}, *ground->caseOf(step("free")), {});
   ASSERT_TRUE(other) << other.error();
   EXPECT_EQ(valueOf(*other, "coverage"), 25.0) << "nothing is counted again";
 }

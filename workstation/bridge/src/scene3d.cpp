@@ -29,7 +29,7 @@
 #include "ew/core/contract.h"
 #include "fan_image.h"
 #include "handles_model.h"
-#include "kept_layer.h"
+#include "layer_store.h"
 #include "orientation_cube.h"
 #include "probe_model.h"
 
@@ -105,7 +105,7 @@ struct Scene3D::Parts {
   vtkSmartPointer<vtkRenderWindow> window;
   vtkNew<vtkRenderer> bodyLayer;
   vtkNew<vtkRenderer> overlay;
-  KeptLayer keptBody;     ///< on software GL the body takes many times as long as all that moves over it
+  LayerStore keptBody;    ///< on software GL the body takes many times as long as all that moves over it
   bool isBodyNew = true;  ///< it looks otherwise than it was drawn last
   Seen drawnFrom;         ///< where from that was
   vtkNew<vtkCamera> vtkView;

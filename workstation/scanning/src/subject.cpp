@@ -27,7 +27,7 @@ bool bricksFit(const Volume& volume) {
 }  // namespace
 
 /// Bricks of a volume that are there as long as somebody reads them. Known to all copies of its voxels, on any thread.
-class ScanVoxels::NeededBricks {
+class ScanVoxels::BricksByNeed {
  public:
   /// @return null when there is no memory for them
   [[nodiscard]] std::shared_ptr<const BrickVolume> of(const Volume& volume) {
@@ -82,7 +82,7 @@ Result<ScanVoxels> ScanVoxels::of(std::shared_ptr<const Volume> volume, Progress
   stored.layoutTimes_ = times;
   if (times && times->choice().none()) return stored;
   if (times && when == Bricks::whenRead) {
-    stored.neededBricks_ = std::make_shared<NeededBricks>();
+    stored.neededBricks_ = std::make_shared<BricksByNeed>();
     return stored;
   }
   auto both = inBothLayouts(volume, kLevels, times, progress);
@@ -94,7 +94,7 @@ Result<ScanVoxels> ScanVoxels::of(std::shared_ptr<const Volume> volume, Progress
   stored.layoutTimes_ = both->layoutTimes_;
   if (both->layoutTimes_->choice().none()) return stored;
   if (when == Bricks::now) return both;
-  stored.neededBricks_ = std::make_shared<NeededBricks>();
+  stored.neededBricks_ = std::make_shared<BricksByNeed>();
   return stored;
 }
 

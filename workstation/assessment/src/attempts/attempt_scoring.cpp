@@ -59,7 +59,7 @@ class Scoring {
     if (!scan) return passOn(scan.error());
     StepOutcome outcome = *kept;
     const ScanLog* log = *scan ? &(*scan)->log : nullptr;
-    std::optional<PassedVoxels> passed;
+    std::optional<VoxelPass> passed;
     made.isJudgedAnew = kept->verdict != StepVerdict::skipped && judgeAnew(step, log, outcome, passed);
     made.task = outcome.score;
     made.figures = outcome.figures;
@@ -90,7 +90,7 @@ class Scoring {
   }
 
   /// @param passed as the work says; @return false: as it was judged in the lesson
-  bool judgeAnew(const LessonStep& step, const ScanLog* scan, StepOutcome& outcome, std::optional<PassedVoxels>& passed) {
+  bool judgeAnew(const LessonStep& step, const ScanLog* scan, StepOutcome& outcome, std::optional<VoxelPass>& passed) {
     const auto ground = ground_.caseOf(step);
     if (!ground || !hasAnswer(step, outcome) || (scan == nullptr && isScanned(step.task))) return false;
     const auto work = workOf(step, ground);

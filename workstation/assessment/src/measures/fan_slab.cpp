@@ -99,7 +99,7 @@ double largest_mm(const Transform<frame::Probe, frame::World>& worldToProbe, con
   return std::max({probe_mm.x, probe_mm.y, probe_mm.z});
 }
 
-void setSector(FanSlab::Terms& terms, const Fan& fan, const HeardPart& heard, double margin_mm) {
+void setSector(FanSlab::Terms& terms, const Fan& fan, const FacePart& heard, double margin_mm) {
   terms.isSector = true;
   const double nearest_mm = std::max(0.0, fan.probe.radius_mm - margin_mm), farthest_mm = fan.probe.radius_mm + fan.depth_mm + margin_mm;
   terms.least = static_cast<float>(nearest_mm * nearest_mm);
@@ -112,7 +112,7 @@ void setSector(FanSlab::Terms& terms, const Fan& fan, const HeardPart& heard, do
   terms.high = {std::cos(high_rad), -std::sin(high_rad)};
 }
 
-void setStraight(FanSlab::Terms& terms, const Fan& fan, const HeardPart& heard, double margin_mm) {
+void setStraight(FanSlab::Terms& terms, const Fan& fan, const FacePart& heard, double margin_mm) {
   terms.least = static_cast<float>(-margin_mm);
   terms.most = static_cast<float>(fan.depth_mm + margin_mm);
   terms.low = {-1.0F, 0.0F};
@@ -124,7 +124,7 @@ void setStraight(FanSlab::Terms& terms, const Fan& fan, const HeardPart& heard, 
 }  // namespace
 
 FanSlab::FanSlab(const Fan& fan, const Transform<frame::Probe, frame::World>& worldToProbe, const OrganVoxels& organ,
-                 double halfThickness_mm, const HeardPart& heard) {
+                 double halfThickness_mm, const FacePart& heard) {
   const auto voxelToProbe = worldToProbe * organ.grid().voxelToWorld();
   const glm::dvec3 i_mm(voxelToProbe.matrix[0]), j_mm(voxelToProbe.matrix[1]);
   terms_.layer_mm = glm::dvec3(voxelToProbe.matrix[2]);

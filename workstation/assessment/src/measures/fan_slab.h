@@ -10,7 +10,7 @@
 namespace ew::detail {
 
 /// The part of a face whose lines hear, between two places on it: -1 at its -x end, 1 at its +x end.
-struct HeardPart {
+struct FacePart {
   double from = -1.0, to = 1.0;
 };
 
@@ -23,7 +23,7 @@ class FanSlab {
 
   /// @param organ not empty: its grid, and how far from the world's origin it lies
   FanSlab(const Fan& fan, const Transform<frame::Probe, frame::World>& worldToProbe, const OrganVoxels& organ, double halfThickness_mm,
-          const HeardPart& heard);
+          const FacePart& heard);
 
   /// Whether a ball may reach into the fan; the slab is not looked at. @param middle_mm in the probe's frame
   [[nodiscard]] bool reachesFan(const glm::dvec3& middle_mm, double radius_mm) const;

@@ -24,17 +24,17 @@ bool hearsAt(const std::vector<float>& gaps_mm, double place, double reach) {
 }
 
 /// Where on the face hearsAt may say yes; nothing: nowhere.
-std::optional<detail::HeardPart> heardPartOf(const std::vector<float>& gaps_mm, double reach) {
+std::optional<detail::FacePart> heardPartOf(const std::vector<float>& gaps_mm, double reach) {
   constexpr double kRounding = 1e-6;
-  if (gaps_mm.empty()) return detail::HeardPart{-1.0 - kRounding, 1.0 + kRounding};
+  if (gaps_mm.empty()) return detail::FacePart{-1.0 - kRounding, 1.0 + kRounding};
   const auto touches = [](float gap_mm) { return gap_mm <= kGel_mm; };
   const auto first = std::find_if(gaps_mm.begin(), gaps_mm.end(), touches);
   if (first == gaps_mm.end()) return std::nullopt;
-  if (gaps_mm.size() == 1) return detail::HeardPart{-1.0 - kRounding, 1.0 + kRounding};
+  if (gaps_mm.size() == 1) return detail::FacePart{-1.0 - kRounding, 1.0 + kRounding};
   const auto last = std::find_if(gaps_mm.rbegin(), gaps_mm.rend(), touches).base() - 1;
   const double perPoint = 2.0 / static_cast<double>(gaps_mm.size() - 1);
   const auto placeOf = [&](auto point) { return static_cast<double>(point - gaps_mm.begin()) * perPoint - 1.0; };
-  return detail::HeardPart{std::max(-1.0, placeOf(first) - reach) - kRounding, std::min(1.0, placeOf(last) + reach) + kRounding};
+  return detail::FacePart{std::max(-1.0, placeOf(first) - reach) - kRounding, std::min(1.0, placeOf(last) + reach) + kRounding};
 }
 
 }  // namespace

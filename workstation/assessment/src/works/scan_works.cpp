@@ -112,9 +112,9 @@ class FreeWork final : public StepWork {
     result.score = sought_.empty() ? 1.0 : static_cast<double>(found) / static_cast<double>(sought_.size());
     return result;
   }
-  [[nodiscard]] std::optional<PassedVoxels> passedVoxels() const override {
+  [[nodiscard]] std::optional<VoxelPass> passedVoxels() const override {
     if (!isUnambiguous_) return std::nullopt;
-    PassedVoxels voxels;
+    VoxelPass voxels;
     for (const Sought& one : sought_) {
       if (!one.cover) continue;
       voxels.passed += one.cover->passed();

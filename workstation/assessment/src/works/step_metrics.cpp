@@ -159,7 +159,7 @@ class Figures {
       const Fan fan{image.probe, resolvedDepth_mm(image.probe, image.knobs)};
       for (OrganCoverage& organ : organs) organ.add(fan, image.pose, image.gaps_mm);
     }
-    PassedVoxels voxels;
+    VoxelPass voxels;
     for (const OrganCoverage& organ : organs) {
       voxels.passed += organ.passed();
       voxels.of += organ.of();
@@ -167,7 +167,7 @@ class Figures {
     addCoverage(voxels);
   }
 
-  void addCoverage(const PassedVoxels& voxels) {
+  void addCoverage(const VoxelPass& voxels) {
     if (voxels.of > 0) add("coverage", 100.0 * static_cast<double>(voxels.passed) / static_cast<double>(voxels.of));
   }
 

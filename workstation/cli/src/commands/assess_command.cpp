@@ -5,6 +5,7 @@
 #include "ew/assessment/attempt_result.h"
 #include "ew/assessment/attempt_scoring.h"
 #include "ew/assessment/pseudonym.h"
+#include "ew/core/foreign_json.h"
 #include "ew/core/numbers.h"
 #include "ew/io/safe_file.h"
 #include "ew/library/case.h"
@@ -123,7 +124,7 @@ class Telling {
     run_.report.details["attempts"] = nlohmann::json::array();
     for (const Told& one : told_) {
       run_.out() << one.line;
-      run_.report.details["attempts"].push_back(nlohmann::json::parse(one.summary));
+      run_.report.details["attempts"].push_back(jsonOrNull(one.summary));
       for (const Message& note : one.notes) run_.remark(note);
     }
     run_.report.quality = {

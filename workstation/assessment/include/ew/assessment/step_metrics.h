@@ -44,8 +44,8 @@ struct ExpertStep {
 struct StepRecord {
   const LessonStep& step;
   const StepOutcome& outcome;
-  const ScanLog* scan = nullptr;            ///< null: nothing was scanned
-  std::optional<PassedVoxels> passed = {};  ///< by all of the scan's images, where it was judged by them: then they are not looked at again
+  const ScanLog* scan = nullptr;         ///< null: nothing was scanned
+  std::optional<VoxelPass> passed = {};  ///< by all of the scan's images, where it was judged by them: then they are not looked at again
 };
 
 /// Every metric of the step's kind that can be worked out, in the order of metrics(). Poses that are not `ok` are left out.

@@ -37,7 +37,7 @@ struct LiveFigure {
 };
 
 /// Of the voxels of all structures that a step asks for.
-struct PassedVoxels {
+struct VoxelPass {
   std::size_t passed = 0, of = 0;
 };
 
@@ -58,7 +58,7 @@ class StepWork {
   /// nothing
   [[nodiscard]] virtual StepResult judge(const StepAnswer& answer) const = 0;
   /// What the images that were seen passed through (OrganCoverage); nothing: it was not looked at.
-  [[nodiscard]] virtual std::optional<PassedVoxels> passedVoxels() const { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<VoxelPass> passedVoxels() const { return std::nullopt; }
 
   /// Judges what is handed in now; the outcome keeps result and answer.
   void hand(const Handed& handed, StepOutcome& outcome) const;

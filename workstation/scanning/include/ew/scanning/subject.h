@@ -73,10 +73,10 @@ class ScanVoxels {
   [[nodiscard]] Result<void> unchanged() const;
 
  private:
-  class NeededBricks;
+  class BricksByNeed;
   std::shared_ptr<const Volume> volume_;
   std::shared_ptr<const BrickVolume> bricks_;
-  std::shared_ptr<NeededBricks> neededBricks_;  ///< null: those there are were made with the volume
+  std::shared_ptr<BricksByNeed> neededBricks_;  ///< null: those there are were made with the volume
   std::shared_ptr<const MappedVolume> mapped_;
   std::shared_ptr<const FrameStack> frames_;
   std::optional<LayoutTimes> layoutTimes_;

@@ -138,7 +138,7 @@ void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
   offeredFor_.push_back(caseFolder);
   if (isLooking_) return;
   isLooking_ = true;
-  auto found = std::make_shared<std::vector<LeftEdits>>();
+  auto found = std::make_shared<std::vector<EditsLeft>>();
   parts_.jobs.start(
       tr("Looking for unsaved changes"),
       [found, root = keptEdits_.root()](Progress& progress) -> Result<void> {
@@ -159,11 +159,11 @@ void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
       Jobs::Kind::background);
 }
 
-void CaseSaving::askAboutKept(const std::vector<LeftEdits>& all, const std::vector<std::filesystem::path>& folders) {
+void CaseSaving::askAboutKept(const std::vector<EditsLeft>& all, const std::vector<std::filesystem::path>& folders) {
   WindowParts& p = parts_;
   if (p.access.isLocked() || asksAboutKept_) return;
   const QScopedValueRollback<bool> asks(asksAboutKept_, true);
-  for (const LeftEdits& each : all) {
+  for (const EditsLeft& each : all) {
     const EditAutosave::Left& left = each.left;
     const bool isLater = std::find(decideLater_.begin(), decideLater_.end(), left.kept) != decideLater_.end();
     const bool isAskedFor =

@@ -41,11 +41,11 @@ class CaseSaving final : public Feature {
 
  private:
   /// Edits that a crash has left, and the case with them; an Error where they make no case any more.
-  struct LeftEdits {
+  struct EditsLeft {
     EditAutosave::Left left;
     Result<Case> edited;
   };
-  void askAboutKept(const std::vector<LeftEdits>& all, const std::vector<std::filesystem::path>& folders);
+  void askAboutKept(const std::vector<EditsLeft>& all, const std::vector<std::filesystem::path>& folders);
   void save(bool elsewhere);
   bool saveCase(bool elsewhere);  ///< shows what went wrong. @return whether it is saved
   /// Asks first when the case is shipped or was saved by another program. @error cancelled: the user wants it unsaved for now
@@ -62,7 +62,7 @@ class CaseSaving final : public Feature {
   EditAutosave keptEdits_;  ///< of the open case, against a crash
   QTimer keepSoon_;
   std::vector<std::filesystem::path> decideLater_;  ///< kept edits that the user wants to decide about another time
-  std::optional<LeftEdits> restoring_;              ///< edits that are taken over once their case is open
+  std::optional<EditsLeft> restoring_;              ///< edits that are taken over once their case is open
   std::vector<std::filesystem::path> offeredFor_;   ///< cases whose edits are being looked for; an empty one: all
   bool isLooking_ = false;
   bool asksAboutKept_ = false;  ///< the question about kept edits is open: none is asked in the middle of it

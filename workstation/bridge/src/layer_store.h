@@ -11,13 +11,13 @@ namespace ew::bridge {
 
 /// What the lowest layer of a render window shows, kept beside the window: as long as nothing in that layer changes, its pixels are copied
 /// in place of being drawn, and only the layers above are. Without multisampling, so that the pixels are the same.
-class KeptLayer {
+class LayerStore {
  public:
   /// @param above renders next after `layer`. Both belong to the window and live longer
-  KeptLayer(vtkRenderWindow& window, vtkRenderer& layer, vtkRenderer& above);
-  ~KeptLayer();
-  KeptLayer(const KeptLayer&) = delete;
-  KeptLayer& operator=(const KeptLayer&) = delete;
+  LayerStore(vtkRenderWindow& window, vtkRenderer& layer, vtkRenderer& above);
+  ~LayerStore();
+  LayerStore(const LayerStore&) = delete;
+  LayerStore& operator=(const LayerStore&) = delete;
 
   /// To be called before each rendering of the window. @param isNew the layer shows something else than before
   void prepare(bool isNew);

@@ -1,4 +1,4 @@
-#include "kept_layer.h"
+#include "layer_store.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -25,29 +25,29 @@ void copyColours(vtkOpenGLState& state, vtkOpenGLFramebufferObject& from, vtkOpe
 
 }  // namespace
 
-KeptLayer::KeptLayer(vtkRenderWindow& window, vtkRenderer& layer, vtkRenderer& above) : window_(window), layer_(layer), above_(above) {
+LayerStore::LayerStore(vtkRenderWindow& window, vtkRenderer& layer, vtkRenderer& above) : window_(window), layer_(layer), above_(above) {
   drawn_->SetClientData(this);
-  drawn_->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<KeptLayer*>(self)->keep(); });
+  drawn_->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<LayerStore*>(self)->keep(); });
   layer_.AddObserver(vtkCommand::EndEvent, drawn_);
   begun_->SetClientData(this);
-  begun_->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<KeptLayer*>(self)->putBack(); });
+  begun_->SetCallback([](vtkObject*, unsigned long, void* self, void*) { static_cast<LayerStore*>(self)->putBack(); });
   above_.AddObserver(vtkCommand::StartEvent, begun_);
 }
 
-KeptLayer::~KeptLayer() {
+LayerStore::~LayerStore() {
   layer_.RemoveObserver(drawn_);
   above_.RemoveObserver(begun_);
   kept_->ReleaseGraphicsResources(&window_);
 }
 
-void KeptLayer::prepare(bool isNew) {
+void LayerStore::prepare(bool isNew) {
   const int* size = window_.GetSize();
   const bool isGone = kept_->GetFBOIndex() == 0;  // with the OpenGL of its window
   if (isNew || isGone || size[0] != width_ || size[1] != height_) width_ = height_ = 0;
   layer_.SetDraw(width_ == 0);
 }
 
-void KeptLayer::keep() {
+void LayerStore::keep() {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(&window_);
   width_ = height_ = 0;
   if (window == nullptr || window->GetMultiSamples() > 1) return;
@@ -66,7 +66,7 @@ void KeptLayer::keep() {
   height_ = size[1];
 }
 
-void KeptLayer::putBack() {
+void LayerStore::putBack() {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(&window_);
   if (window == nullptr || layer_.GetDraw() != 0) return;
   copyColours(*window->GetState(), *kept_, *window->GetRenderFramebuffer(), width_, height_);
