@@ -56,7 +56,7 @@ ew_tidy_sources() {
     fi
 }
 
-# ew_tidy_groups FOLDER FILE...: puts the files that stand in one library and have the same command into groups, up to eight in one but no
+# ew_tidy_groups FOLDER FILE...: puts the files that stand in one library and have the same command into groups, up to 24 in one but no
 # more than leave work for every processor, in the order of the first of each, and prints the groups' folders. A group's source includes its
 # files, so that the headers are read once; it is called UnifiedSource because the static analyzer looks into the sources that a source
 # includes under that name alone. GROUP/files lists them.
@@ -64,7 +64,7 @@ ew_tidy_groups() {
   local folder=$1 most
   shift
   most=$((($# + $(nproc) - 1) / $(nproc)))
-  [ "$most" -le 8 ] || most=8
+  [ "$most" -le 24 ] || most=24
   rm -rf "$folder"/group-*
   awk -v top="$PWD/" -v folder="$PWD/$folder" -v most="$most" '
     FNR == NR { wanted[++files] = $0; next }
@@ -120,32 +120,38 @@ ew_tidy_run() {
   return "$status"
 }
 
-# ew_tidy_group FOLDER END GROUP: looks at the files of a group together, or one by one where they do not compile as one (two of them use
+# ew_tidy_group FOLDER END GROUP: looks at the files of a group together, or at its halves where they do not compile as one (two of them use
 # a name for different things), and marks in FOLDER/seen which it looked at and how that ended.
 ew_tidy_group() {
-  local files said file status=0
+  local files status=0
   mapfile -t files <"$3/files"
-  if [ ${#files[@]} -gt 1 ]; then
+  if [ ${#files[@]} -eq 1 ]; then
+    ew_tidy_run "$3" "$2" "${files[0]}" || status=$?
+  else
     ew_tidy_run "$3" "$2" "$3/UnifiedSource.cpp" || status=$?
     case $said in
-      *clang-diagnostic-error*) ;;
-      *)
-        [ "$status" -ne 124 ] || return 0
-        [ "$status" -eq 0 ] || printf '%s\n' "$said" >&2
-        printf "$status %s\n" "${files[@]}" >>"$1/seen"
+      *clang-diagnostic-error*)
+        ew_tidy_half "$3" "$3-a" 1 $((${#files[@]} / 2))
+        ew_tidy_half "$3" "$3-b" $((${#files[@]} / 2 + 1)) ${#files[@]}
+        ew_tidy_group "$1" "$2" "$3-a"
+        ew_tidy_group "$1" "$2" "$3-b"
         return 0
         ;;
     esac
   fi
-  for file in "${files[@]}"; do
-    status=0
-    ew_tidy_run "$1" "$2" "$file" || status=$?
-    [ "$status" -ne 124 ] || return 0
-    [ "$status" -eq 0 ] || printf '%s\n' "$said" >&2
-    printf '%d %s\n' "$status" "$file" >>"$1/seen"
-  done
+  [ "$status" -ne 124 ] || return 0
+  [ "$status" -eq 0 ] || printf '%s\n' "$said" >&2
+  printf "$status %s\n" "${files[@]}" >>"$1/seen"
 }
-export -f ew_tidy_run ew_tidy_group
+
+# ew_tidy_half GROUP HALF FIRST LAST: makes HALF of the files FIRST to LAST, counted from one, of a group.
+ew_tidy_half() {
+  mkdir -p "$2"
+  sed -n "$3,$4p" "$1/files" >"$2/files"
+  sed -n "$3,$4p" "$1/UnifiedSource.cpp" >"$2/UnifiedSource.cpp"
+  sed "s|$1/UnifiedSource|$2/UnifiedSource|g" "$1/compile_commands.json" >"$2/compile_commands.json"
+}
+export -f ew_tidy_run ew_tidy_group ew_tidy_half
 
 # ew_tidy SECONDS [FILE...]: clang-tidy over the sources among the files (all without any), and a line that says how many it looked at. It is
 # over after SECONDS and begins nothing in the last thirty; 0: it takes as long as it takes. Fails where there is a finding.

@@ -129,7 +129,8 @@ FanSlab::FanSlab(const Fan& fan, const Transform<frame::Probe, frame::World>& wo
   const glm::dvec3 i_mm(voxelToProbe.matrix[0]), j_mm(voxelToProbe.matrix[1]);
   terms_.layer_mm = glm::dvec3(voxelToProbe.matrix[2]);
   for (std::size_t n = 0; n < terms_.x_mm.size(); ++n) {
-    const glm::vec3 from_mm(static_cast<double>(n % 8) * i_mm + static_cast<double>(n / 8) * j_mm);
+    const std::size_t i = n % 8, j = n / 8;
+    const glm::vec3 from_mm(static_cast<double>(i) * i_mm + static_cast<double>(j) * j_mm);
     terms_.x_mm[n] = from_mm.x;
     terms_.y_mm[n] = from_mm.y;
     terms_.z_mm[n] = from_mm.z;

@@ -12,6 +12,9 @@
 #include "start/case_card.h"
 
 namespace ew::ui {
+// A QListView for those who listen to the screen alone: they hear a list of so many entries. Its own layout is left out everywhere, for the
+// cards lie where they are reckoned to lie.
+// NOLINTBEGIN(bugprone-parent-virtual-call)
 CardView::CardView(CaseCatalogue& list, QWidget* parent) : QListView(parent), list_(list) {
   setObjectName(QStringLiteral("caseCards"));
   setAccessibleName(tr("Cases"));
@@ -228,4 +231,5 @@ void CardView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) updateGeometries();
 }
 
+// NOLINTEND(bugprone-parent-virtual-call)
 }  // namespace ew::ui
