@@ -42,7 +42,7 @@ double SkinDistance::at_mm(const glm::dvec3& p_mm) const {
   const Block& block = blockOf(place);
   const glm::ivec3 within = cell - kCells * place;
   const glm::dvec3 share = node - glm::dvec3(cell);
-  constexpr std::size_t kRow = kCells + 1, kSlice = kRow * kRow;
+  constexpr std::size_t kRow = kNodes, kSlice = kRow * kRow;
   const std::size_t first =
       static_cast<std::size_t>(within.x) + kRow * static_cast<std::size_t>(within.y) + kSlice * static_cast<std::size_t>(within.z);
   const auto along = [&](std::size_t at) { return std::lerp(static_cast<double>(block[at]), static_cast<double>(block[at + 1]), share.x); };

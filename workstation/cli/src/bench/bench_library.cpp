@@ -151,9 +151,12 @@ struct LibraryBench {
 
   bool refresh(LibraryIndex& index, Progress& progress, RefreshReport& report) {
     auto done = index.refresh(roots, progress);
-    if (!done) error = done.error();
-    if (done) report = *std::move(done);
-    return done.has_value();
+    const bool isDone = done.has_value();
+    if (isDone)
+      report = *std::move(done);
+    else
+      error = done.error();
+    return isDone;
   }
 };
 

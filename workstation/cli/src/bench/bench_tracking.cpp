@@ -107,8 +107,10 @@ GreyImage halved(const GreyImage& image) {
   for (int y = 0; y < half.height; ++y) {
     const std::uint8_t* const above = viewOf(image).row(2 * y);
     const std::uint8_t* const below = viewOf(image).row(2 * y + 1);
-    for (int x = 0; x < half.width; ++x)
-      viewOf(half).at(x, y) = static_cast<std::uint8_t>((above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1] + 2) / 4);
+    for (int x = 0; x < half.width; ++x) {
+      const std::ptrdiff_t left = 2 * static_cast<std::ptrdiff_t>(x);
+      viewOf(half).at(x, y) = static_cast<std::uint8_t>((above[left] + above[left + 1] + below[left] + below[left + 1] + 2) / 4);
+    }
   }
   return half;
 }

@@ -90,7 +90,8 @@ Truth truthOn(const Grid& grid, const BenchField& field) {
   const auto voxelToWorld = grid.voxelToWorld().matrix;
   for (std::size_t at = 0; at < count; at += step) {
     const auto nx = static_cast<std::size_t>(grid.dims.x), ny = static_cast<std::size_t>(grid.dims.y);
-    const glm::dvec4 voxel(static_cast<double>(at % nx), static_cast<double>(at / nx % ny), static_cast<double>(at / nx / ny), 1.0);
+    const std::size_t i = at % nx, j = at / nx % ny, k = at / nx / ny;
+    const glm::dvec4 voxel(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k), 1.0);
     truth.index.push_back(at);
     truth.level.push_back(static_cast<float>(levelAt(field, glm::dvec3(voxelToWorld * voxel))));
   }

@@ -27,8 +27,9 @@ class SkinDistance {
 
  private:
   static constexpr int kCells = 8;  ///< along an edge of a block
+  static constexpr std::size_t kNodes = kCells + 1;
   static constexpr double kNode_mm = 2.0;
-  using Block = std::array<float, (kCells + 1) * (kCells + 1) * (kCells + 1)>;
+  using Block = std::array<float, kNodes * kNodes * kNodes>;
   [[nodiscard]] const Block& blockOf(const glm::ivec3& place) const;
 
   std::shared_ptr<const Skin> skin_;
