@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "elastic/levels.h"
@@ -248,6 +250,57 @@ TEST(ElasticPrior, KnowsNoShiftAndItsBendingNoAffineField) {
   for (const float v : out) EXPECT_NEAR(v, 0.0F, 1e-4F);
   applyPrior(nodes, {1.0, 0.0, 0.0, 0.0}, affine, out);
   EXPECT_GT(*std::max_element(out.begin(), out.end()), 1.0F);
+}
+
+/// The prior's forces from its energy as node_system.h writes it, difference by difference.
+NodeValues forcesByDifferences(const NodeGrid& grid, const Prior& prior, const NodeValues& values) {
+  std::vector<double> forces(values.size(), 0.0);
+  const auto add = [&](const std::vector<std::pair<glm::ivec3, double>>& nodes, std::size_t c, double weight) {
+    double difference = 0.0;
+    for (const auto& [at, factor] : nodes) {
+      if (glm::any(glm::greaterThanEqual(at, grid.dims))) return;
+      difference += factor * static_cast<double>(values[4 * grid.indexOf(at.x, at.y, at.z) + c]);
+    }
+    for (const auto& [at, factor] : nodes) forces[4 * grid.indexOf(at.x, at.y, at.z) + c] += weight * factor * difference;
+  };
+  const double volume = grid.cellVolume_mm3();
+  for (int n = 0; n < static_cast<int>(grid.count()); ++n) {
+    const glm::ivec3 at(n % grid.dims.x, n / grid.dims.x % grid.dims.y, n / grid.dims.x / grid.dims.y);
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (int a = 0; a < 3; ++a) {
+        glm::ivec3 along(0);
+        along[a] = 1;
+        const double perSpacing2 = std::pow(grid.spacing_mm[a], -2.0);
+        add({{at, -1.0}, {at + along, 1.0}}, c, volume * perSpacing2 * (c == 3 ? prior.brightnessMembrane : prior.membrane));
+        if (c == 3) continue;
+        add({{at, 1.0}, {at + along, -2.0}, {at + 2 * along, 1.0}}, c, volume * prior.bending * perSpacing2 * perSpacing2);
+        for (int b = a + 1; b < 3; ++b) {
+          glm::ivec3 across(0);
+          across[b] = 1;
+          add({{at, 1.0}, {at + along, -1.0}, {at + across, -1.0}, {at + along + across, 1.0}}, c,
+              2.0 * volume * prior.bending * perSpacing2 * std::pow(grid.spacing_mm[b], -2.0));
+        }
+      }
+      if (c == 3) add({{at, 1.0}}, c, volume * prior.brightness);
+    }
+  }
+  return {forces.begin(), forces.end()};
+}
+
+TEST(Prior, ForcesAreThoseOfItsDifferencesOnGridsOfEveryShape) {
+  std::minstd_rand random(5);
+  std::uniform_real_distribution<float> level(-2.0F, 2.0F);
+  for (const glm::ivec3 dims : {glm::ivec3(6, 4, 3), glm::ivec3(1, 3, 2), glm::ivec3(2, 2, 1), glm::ivec3(3, 1, 6), glm::ivec3(1, 1, 1)}) {
+    const NodeGrid grid{dims, {2.0, 3.0, 1.5}, {}};
+    NodeValues values(4 * grid.count()), out;
+    for (float& v : values) v = level(random);
+    for (const Prior& prior :
+         {Prior{0.7, 0.0, 0.0, 0.0}, Prior{0.0, 1.3, 0.0, 0.0}, Prior{0.0, 0.0, 0.4, 0.9}, Prior{0.7, 1.3, 0.4, 0.9}}) {
+      applyPrior(grid, prior, values, out);
+      const NodeValues expected = forcesByDifferences(grid, prior, values);
+      for (std::size_t n = 0; n < out.size(); ++n) ASSERT_NEAR(out[n], expected[n], 2e-4F) << n << " of " << dims.x << dims.y << dims.z;
+    }
+  }
 }
 
 TEST(ElasticSolver, SolvesItsSystemAndNamesOneWithoutStiffness) {

@@ -11,39 +11,42 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Calls difference(nodes, coefficients, count, weight) for every squared difference in the prior of one component.
-template <class Difference>
-void forEachDifference(const NodeGrid& grid, double membrane, double bending, const Difference& difference) {
-  const double volume = grid.cellVolume_mm3();
-  const std::array<std::size_t, 3> step{1, static_cast<std::size_t>(grid.dims.x),
-                                        static_cast<std::size_t>(grid.dims.x) * static_cast<std::size_t>(grid.dims.y)};
-  const glm::dvec3 perSpacing2 = 1.0 / (grid.spacing_mm * grid.spacing_mm);
-  constexpr std::array<float, 4> kFirst{-1.0F, 1.0F, 0.0F, 0.0F}, kSecond{1.0F, -2.0F, 1.0F, 0.0F}, kMixed{1.0F, -1.0F, -1.0F, 1.0F};
-  for (int k = 0; k < grid.dims.z; ++k) {
-    for (int j = 0; j < grid.dims.y; ++j) {
-      for (int i = 0; i < grid.dims.x; ++i) {
-        const std::size_t at = grid.indexOf(i, j, k);
-        const glm::ivec3 place(i, j, k);
-        for (int a = 0; a < 3; ++a) {
-          const std::size_t along = step[static_cast<std::size_t>(a)];
-          const bool one = place[a] + 1 < grid.dims[a], two = place[a] + 2 < grid.dims[a];
-          if (one && membrane > 0.0)
-            difference(std::array<std::size_t, 4>{at, at + along, at, at}, kFirst, 2, membrane * volume * perSpacing2[a]);
-          if (bending <= 0.0) continue;
-          if (two)
-            difference(std::array<std::size_t, 4>{at, at + along, at + 2 * along, at}, kSecond, 3,
-                       bending * volume * perSpacing2[a] * perSpacing2[a]);
-          for (int b = a + 1; one && b < 3; ++b) {
-            if (place[b] + 1 >= grid.dims[b]) continue;
-            const std::size_t across = step[static_cast<std::size_t>(b)];
-            difference(std::array<std::size_t, 4>{at, at + along, at + across, at + along + across}, kMixed, 4,
-                       2.0 * bending * volume * perSpacing2[a] * perSpacing2[b]);
-          }
-        }
+/// Adds the forces of squared differences to `out`, for a row of nodes at once.
+class RowForces {
+ public:
+  RowForces(const NodeGrid& grid, const NodeValues& values, NodeValues& out)
+      : values_(values.data()), out_(out.data()), forces_(4 * static_cast<std::size_t>(grid.dims.x)) {}
+
+  /// @param first node of the row's first difference
+  /// @param offset of the others from it, as many as `factor` has
+  /// @param count differences, from node to node along x
+  /// @param weight of a squared difference of each component
+  template <std::size_t kNodes>
+  void add(std::size_t first, const std::array<std::size_t, kNodes>& offset, const std::array<float, kNodes>& factor, int count,
+           const std::array<float, 4>& weight) {
+    float* __restrict forces = forces_.data();
+    if (count <= 0) return;
+    const std::size_t floats = 4 * static_cast<std::size_t>(count);
+    std::array<const float*, kNodes> from;
+    for (std::size_t n = 0; n < kNodes; ++n) from[n] = values_ + 4 * (first + offset[n]);
+    for (std::size_t s = 0; s < floats; s += 4) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        float sum = 0.0F;
+        for (std::size_t n = 0; n < kNodes; ++n) sum += factor[n] * from[n][s + c];
+        forces[s + c] = weight[c] * sum;
       }
     }
+    for (std::size_t n = 0; n < kNodes; ++n) {
+      float* __restrict to = out_ + 4 * (first + offset[n]);
+      for (std::size_t s = 0; s < floats; ++s) to[s] += factor[n] * forces[s];
+    }
   }
-}
+
+ private:
+  const float* values_;
+  float* out_;
+  std::vector<float> forces_;
+};
 
 /// Diagonalises the prior as if the second differences were those of a free membrane's Laplacian squared: exact for the membrane, near
 /// for the bending term.
@@ -85,26 +88,37 @@ class Preconditioner {
 
  private:
   void transform(int axis, bool back, NodeValues& values) {
-    const int n = dims_[axis];
+    const auto n = static_cast<std::size_t>(dims_[axis]);
     if (n == 1) return;
-    const std::vector<float>& basis = basis_[static_cast<std::size_t>(axis)];
     const std::size_t inner = 4 * static_cast<std::size_t>(axis == 0 ? 1 : axis == 1 ? dims_.x : dims_.x * dims_.y);
-    const std::size_t whole = inner * static_cast<std::size_t>(n);
+    const std::size_t whole = inner * n;
     scratch_.resize(whole);
     for (std::size_t start = 0; start < values.size(); start += whole) {
-      std::fill(scratch_.begin(), scratch_.end(), 0.0F);
-      for (int m = 0; m < n; ++m) {
-        float* to = scratch_.data() + static_cast<std::size_t>(m) * inner;
-        for (int x = 0; x < n; ++x) {
-          const float factor = back ? basis[static_cast<std::size_t>(x * n + m)] : basis[static_cast<std::size_t>(m * n + x)];
-          const float* from = values.data() + start + static_cast<std::size_t>(x) * inner;
-          for (std::size_t s = 0; s < inner; ++s) to[s] += factor * from[s];
-        }
-      }
+      const float* from = values.data() + start;
+      std::size_t s = 0;
+      for (; s + kWide <= inner; s += kWide) transformColumn<kWide>(axis, back, from + s, scratch_.data() + s, inner);
+      for (; s < inner; s += 4) transformColumn<4>(axis, back, from + s, scratch_.data() + s, inner);
       std::copy(scratch_.begin(), scratch_.end(), values.begin() + static_cast<std::ptrdiff_t>(start));
     }
   }
 
+  /// `kFloats` beside each other, whose rows along the axis are `stride` apart: their sums stay in registers.
+  template <std::size_t kFloats>
+  void transformColumn(int axis, bool back, const float* __restrict from, float* __restrict to, std::size_t stride) const {
+    const auto n = static_cast<std::size_t>(dims_[axis]);
+    const float* const basis = basis_[static_cast<std::size_t>(axis)].data();
+    const std::size_t perRow = back ? 1 : n, perColumn = back ? n : 1;
+    for (std::size_t m = 0; m < n; ++m) {
+      float sums[kFloats] = {};
+      for (std::size_t x = 0; x < n; ++x) {
+        const float factor = basis[m * perRow + x * perColumn];
+        for (std::size_t f = 0; f < kFloats; ++f) sums[f] += factor * from[x * stride + f];
+      }
+      for (std::size_t f = 0; f < kFloats; ++f) to[m * stride + f] = sums[f];
+    }
+  }
+
+  static constexpr std::size_t kWide = 16;
   glm::ivec3 dims_;
   std::array<std::vector<float>, 3> basis_;
   std::vector<float> inverse_;
@@ -131,21 +145,41 @@ double dot(const NodeValues& a, const NodeValues& b) {
 
 void applyPrior(const NodeGrid& grid, const Prior& prior, const NodeValues& values, NodeValues& out) {
   out.assign(values.size(), 0.0F);
-  forEachDifference(grid, prior.membrane, prior.bending, [&](const auto& nodes, const auto& factor, int count, double weight) {
-    const auto w = static_cast<float>(weight);
-    for (std::size_t c = 0; c < 3; ++c) {
-      float sum = 0.0F;
-      for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) sum += factor[n] * values[4 * nodes[n] + c];
-      sum *= w;
-      for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) out[4 * nodes[n] + c] += factor[n] * sum;
+  RowForces forces(grid, values, out);
+  const std::array<std::size_t, 3> step{1, static_cast<std::size_t>(grid.dims.x),
+                                        static_cast<std::size_t>(grid.dims.x) * static_cast<std::size_t>(grid.dims.y)};
+  const double volume = grid.cellVolume_mm3();
+  const glm::dvec3 perSpacing2 = 1.0 / (grid.spacing_mm * grid.spacing_mm);
+  const auto weights = [&](double displacement, double brightness, double per) {
+    const auto u = static_cast<float>(volume * displacement * per), b = static_cast<float>(volume * brightness * per);
+    return std::array<float, 4>{u, u, u, b};
+  };
+  for (int k = 0; k < grid.dims.z; ++k) {
+    for (int j = 0; j < grid.dims.y; ++j) {
+      const std::size_t row = grid.indexOf(0, j, k);
+      /// Differences of the row that reach `far` nodes along each axis; below 1: none.
+      const auto count = [&](const glm::ivec3& far) {
+        return j + far.y < grid.dims.y && k + far.z < grid.dims.z ? grid.dims.x - far.x : 0;
+      };
+      for (int a = 0; a < 3; ++a) {
+        glm::ivec3 reach(0);
+        reach[a] = 1;
+        const std::size_t along = step[static_cast<std::size_t>(a)];
+        forces.add<2>(row, {0, along}, {-1.0F, 1.0F}, count(reach), weights(prior.membrane, prior.brightnessMembrane, perSpacing2[a]));
+        if (prior.bending <= 0.0) continue;
+        forces.add<3>(row, {0, along, 2 * along}, {1.0F, -2.0F, 1.0F}, count(2 * reach),
+                      weights(prior.bending, 0.0, perSpacing2[a] * perSpacing2[a]));
+        for (int b = a + 1; b < 3; ++b) {
+          glm::ivec3 both = reach;
+          both[b] = 1;
+          const std::size_t across = step[static_cast<std::size_t>(b)];
+          forces.add<4>(row, {0, along, across, along + across}, {1.0F, -1.0F, -1.0F, 1.0F}, count(both),
+                        weights(2.0 * prior.bending, 0.0, perSpacing2[a] * perSpacing2[b]));
+        }
+      }
     }
-  });
-  forEachDifference(grid, prior.brightnessMembrane, 0.0, [&](const auto& nodes, const auto&, int, double weight) {
-    const float pull = static_cast<float>(weight) * (values[4 * nodes[1] + 3] - values[4 * nodes[0] + 3]);
-    out[4 * nodes[1] + 3] += pull;
-    out[4 * nodes[0] + 3] -= pull;
-  });
-  const auto own = static_cast<float>(prior.brightness * grid.cellVolume_mm3());
+  }
+  const auto own = static_cast<float>(prior.brightness * volume);
   for (std::size_t n = 3; n < values.size(); n += 4) out[n] += own * values[n];
 }
 
@@ -174,6 +208,14 @@ void NodeSystem::clear() {
 
 void NodeSystem::addCell(const glm::ivec3& cell, const float* products, const float* rights, float scale) {
   const float root = std::sqrt(scale);
+  // What two corners share depends on how many of them lie on the upper side along each axis: 27 blocks for 64 pairs.
+  std::array<std::array<float, 16>, 27> shared;
+  for (std::size_t kind = 0; kind < shared.size(); ++kind) {
+    const float* p = products + kind * kProducts;
+    const float xx = scale * p[0], xy = scale * p[1], xz = scale * p[2], x1 = root * p[3], yy = scale * p[4], yz = scale * p[5],
+                y1 = root * p[6], zz = scale * p[7], z1 = root * p[8], one = p[9];
+    shared[kind] = {xx, xy, xz, x1, xy, yy, yz, y1, xz, yz, zz, z1, x1, y1, z1, one};
+  }
   // An axis with one node has no upper corner.
   const glm::ivec3 corners = glm::min(grid.dims, glm::ivec3(2));
   for (int a = 0; a < 8; ++a) {
@@ -190,13 +232,10 @@ void NodeSystem::addCell(const glm::ivec3& cell, const float* products, const fl
       const glm::ivec3 to(b & 1, b >> 1 & 1, b >> 2 & 1);
       if (to.x >= corners.x || to.y >= corners.y || to.z >= corners.z) continue;
       const glm::ivec3 other = cell + to - low;
-      float* block = blocks.data() + 16 * (first[node] + static_cast<std::size_t>((other.z * tall + other.y) * wide + other.x));
+      float* __restrict block = blocks.data() + 16 * (first[node] + static_cast<std::size_t>((other.z * tall + other.y) * wide + other.x));
       const glm::ivec3 kind = of + to;
-      const float* p = products + ((kind.x * 3 + kind.y) * 3 + kind.z) * kProducts;
-      const float xx = scale * p[0], xy = scale * p[1], xz = scale * p[2], x1 = root * p[3], yy = scale * p[4], yz = scale * p[5],
-                  y1 = root * p[6], zz = scale * p[7], z1 = root * p[8], one = p[9];
-      const float whole[16] = {xx, xy, xz, x1, xy, yy, yz, y1, xz, yz, zz, z1, x1, y1, z1, one};
-      for (int n = 0; n < 16; ++n) block[n] += whole[n];
+      const std::array<float, 16>& whole = shared[static_cast<std::size_t>((kind.x * 3 + kind.y) * 3 + kind.z)];
+      for (std::size_t n = 0; n < 16; ++n) block[n] += whole[n];
     }
   }
 }
