@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <string>
+#include <tuple>
 
+#include "ew/io/medium.h"
 #include "ew/io/volume_file.h"
 #include "files.h"
 
@@ -116,6 +119,50 @@ TEST(RestInFile, KeepsInMemoryWhatTheFileDoesNotHold) {
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
   EXPECT_EQ(restInVolumeFile(values.span, file), 0u) << "cut short";
   EXPECT_TRUE(values.holds(volume.echo));
+}
+
+namespace {
+
+/// A device as the kernel lists it: its folder in the tree of devices, and a link to it by number.
+std::filesystem::path listed(const std::filesystem::path& folder, const std::string& place, const std::string& number) {
+  const auto device = folder / "devices" / place;
+  std::filesystem::create_directories(device);
+  std::filesystem::create_directories(folder / "dev/block");
+  std::filesystem::create_directory_symlink(device, folder / "dev/block" / number);
+  return folder / "dev/block" / number;
+}
+
+void write(const std::filesystem::path& file, const std::string& line) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << line << '\n';
+}
+
+}  // namespace
+
+TEST(RestInFile, KnowsMediaThatCanBePulledOut) {
+  const TempFolder folder;
+  const auto devices = folder / "devices";
+  const auto inside = listed(folder.path(), "pci0000:00/0000:00:17.0/ata1/host0/target0:0:0/0:0:0:0/block/sda/sda1", "8:1");
+  write(devices / "pci0000:00/0000:00:17.0/ata1/host0/target0:0:0/0:0:0:0/block/sda/removable", "0");
+  EXPECT_FALSE(canBePulledOut(inside));
+  const auto nvme = listed(folder.path(), "pci0000:00/0000:00:1d.0/0000:01:00.0/nvme/nvme0/nvme0n1/nvme0n1p2", "259:2");
+  EXPECT_FALSE(canBePulledOut(nvme));
+  // Drives on a cable say that they are not removable.
+  const auto onCable = listed(folder.path(), "pci0000:00/0000:00:14.0/usb2/2-1/2-1:1.0/host6/target6:0:0/6:0:0:0/block/sdb/sdb1", "8:17");
+  write(devices / "pci0000:00/0000:00:14.0/usb2/2-1/2-1:1.0/host6/target6:0:0/6:0:0:0/block/sdb/removable", "0");
+  EXPECT_TRUE(canBePulledOut(onCable));
+  const auto disc = listed(folder.path(), "pci0000:00/0000:00:17.0/ata2/host1/target1:0:0/1:0:0:0/block/sr0", "11:0");
+  write(devices / "pci0000:00/0000:00:17.0/ata2/host1/target1:0:0/1:0:0:0/block/sr0/removable", "1");
+  EXPECT_TRUE(canBePulledOut(disc));
+  // Cards and soldered memory hang on the same kind of socket; only the type tells.
+  for (const auto& [type, number, loose] : {std::tuple{"SD", "179:1", true}, std::tuple{"MMC", "179:9", false}}) {
+    const std::string disk = std::string("platform/mmc_host/mmc0/mmc0:") + type + "/block/mmcblk0";
+    const auto card = listed(folder.path(), disk + "/mmcblk0p1", number);
+    write(devices / disk / "removable", "0");
+    write(devices / disk / "device/type", type);
+    EXPECT_EQ(canBePulledOut(card), loose) << type;
+  }
+  EXPECT_FALSE(canBePulledOut(folder / "dev/block/0:37")) << "of a file system in memory there is no device";
 }
 
 }  // namespace ew::rest_in_file_test

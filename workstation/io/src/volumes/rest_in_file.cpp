@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
 
+#include "ew/io/medium.h"
 #include "files/image_header.h"
 
 #if defined(__linux__)
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 #endif
@@ -51,6 +54,10 @@ bool isElsewhere(int file) {
   return std::find(kElsewhere.begin(), kElsewhere.end(), static_cast<std::uint32_t>(found.f_type)) != kElsewhere.end();
 }
 
+bool isLoose(dev_t device) {
+  return canBePulledOut("/sys/dev/block/" + std::to_string(major(device)) + ":" + std::to_string(minor(device)));
+}
+
 /// Where pages of a file could not take the place of `to`, whose own the system may have taken away before it said so: pages of the program
 /// with the same values.
 void restore(std::span<std::uint8_t> to, const void* values) {
@@ -86,7 +93,7 @@ std::uint64_t restInFile(std::span<std::uint8_t> values, const fs::path& file, s
   struct stat found {};
   const bool isWhole = ::fstat(opened, &found) == 0 && static_cast<std::uint64_t>(found.st_size) >= offset_bytes + values.size();
   std::uint64_t done = 0;
-  if (isWhole && !isElsewhere(opened))
+  if (isWhole && !isElsewhere(opened) && !isLoose(found.st_dev))
     while (done < resting) {
       const std::uint64_t size = std::min(kPiece_bytes, resting - done);
       if (!restPiece(values.subspan(ahead + done, size), opened, offset_bytes + ahead + done)) break;
