@@ -188,7 +188,7 @@ Result<Grid> gridFor(std::span<const TrackedFrame> frames, const ReconstructOpti
                    {{"field", "source"}});
   const auto rectangle = clipRectangle(options.clip, frames.front().pixels.width, frames.front().pixels.height);
   if (!rectangle) return passOn(rectangle.error());
-  const auto grid = checkedGrid(extentOf(frames, *rectangle, options.spacing_mm), options);
+  auto grid = checkedGrid(extentOf(frames, *rectangle, options.spacing_mm), options);
   if (!grid) return passOn(grid.error());
   if (const auto checked = checkFillReach(*grid, options.fillReach_mm); !checked) return passOn(checked.error());
   return grid;

@@ -24,7 +24,7 @@ constexpr int kWait_ms = 100;
 std::string utf8Of(const wchar_t* text) {
   std::string made;
   for (; text != nullptr && *text != 0; ++text) {
-    const auto c = static_cast<unsigned>(*text);
+    const auto c = static_cast<unsigned>(*text);  // NOLINT(bugprone-signed-char-misuse): no letter is negative
     if (c < 0x80U) {
       made += static_cast<char>(c);
     } else if (c < 0x800U) {

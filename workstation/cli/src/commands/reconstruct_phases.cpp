@@ -82,7 +82,7 @@ Result<int> writePhases(const SweepInput& opened, const AcquisitionArguments& ar
 
   const int phases = arguments.phases.value_or(1);
   const auto count = static_cast<std::size_t>(phases);
-  const auto keep = [&](std::size_t k, ReconstructResult made) -> Result<void> {
+  const auto keep = [&](std::size_t k, const ReconstructResult& made) -> Result<void> {
     run.report.addStep("paste", made.pasteSeconds * 1e6);
     const StepClock clock(run.report, "write");
     if (auto written = writeVolume(made.volume, run.outputs.staged(numbered(output, k, count)), noProgress()); !written)

@@ -16,7 +16,7 @@ struct StillImage {
   bool isWide = false;  ///< the wide image that ended with it
   double time_s = 0.0;
   std::uint64_t number = 0;
-  auto operator<=>(const StillImage&) const = default;
+  auto operator<=>(const StillImage&) const = default;  // NOLINT(modernize-use-nullptr): the 0 is the compiler's own
 };
 [[nodiscard]] inline StillImage stillOf(const Session& session) {
   const ScanState& shown = session.shownState();

@@ -21,8 +21,8 @@ enum class Encoding {
 struct Target {
   enum class Kind { setting, action };
   Kind kind = Kind::setting;
-  std::string id;  ///< of the setting ("gain") or of the action ("freeze")
-  auto operator<=>(const Target&) const = default;
+  std::string id;                                   ///< of the setting ("gain") or of the action ("freeze")
+  auto operator<=>(const Target&) const = default;  // NOLINT(modernize-use-nullptr): the 0 is the compiler's own
 };
 
 /// A control, how it is read, and what it does.

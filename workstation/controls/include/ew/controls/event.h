@@ -22,7 +22,7 @@ struct ControlId {
   ControlKind kind = ControlKind::midiControl;
   int channel = 0;  ///< MIDI: 1..16; HID: the number of the report, 0 when its reports have none
   int number = 0;
-  auto operator<=>(const ControlId&) const = default;
+  auto operator<=>(const ControlId&) const = default;  // NOLINT(modernize-use-nullptr): the 0 is the compiler's own
 };
 
 /// It was moved.
