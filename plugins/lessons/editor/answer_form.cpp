@@ -30,7 +30,7 @@ class AnswerForm final : public TaskForm {
                     },
                     {[this] { return std::string(asksForNumber() ? "number" : "options"); },
                      [this](const std::string& chosen) {
-                       const auto done =
+                       auto done =
                            this->edited().changeTask<AnswerTask>(tr("Change how a question is answered"), {}, [&](AnswerTask& task) {
                              task = {};
                              if (chosen == "number")

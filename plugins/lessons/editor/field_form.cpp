@@ -70,11 +70,11 @@ QLabel* FieldForm::addRow(const QString& label, QWidget* editor) {
   return problem;
 }
 
-void FieldForm::addLine(const char* name, const QString& label, TextAccess access) {
+void FieldForm::addLine(const char* name, const QString& label, const TextAccess& access) {
   auto* line = new WithHostUndo<QLineEdit>;
   line->setObjectName(QLatin1String(name));
   QLabel* problem = addRow(label, line);
-  QObject::connect(line, &QLineEdit::textEdited, line, [access, problem](const QString& text) { tell(problem, access.set(text)); });
+  QObject::connect(line, &QLineEdit::textEdited, line, [set = access.set, problem](const QString& text) { tell(problem, set(text)); });
   add([line, get = access.get] {
     const QString now = get();
     if (line->text() == now) return;
@@ -83,7 +83,7 @@ void FieldForm::addLine(const char* name, const QString& label, TextAccess acces
   });
 }
 
-void FieldForm::addText(const char* name, const QString& label, TextAccess access, int lines, const QString& placeholder) {
+void FieldForm::addText(const char* name, const QString& label, const TextAccess& access, int lines, const QString& placeholder) {
   auto* text = new QPlainTextEdit;
   text->setObjectName(QLatin1String(name));
   text->setTabChangesFocus(true);
@@ -91,7 +91,8 @@ void FieldForm::addText(const char* name, const QString& label, TextAccess acces
   text->setPlaceholderText(placeholder);
   text->setFixedHeight(lines * QFontMetrics(text->font()).lineSpacing() + 2 * kGrid_px);
   QLabel* problem = addRow(label, text);
-  QObject::connect(text, &QPlainTextEdit::textChanged, text, [text, access, problem] { tell(problem, access.set(text->toPlainText())); });
+  QObject::connect(text, &QPlainTextEdit::textChanged, text,
+                   [text, set = access.set, problem] { tell(problem, set(text->toPlainText())); });
   add([text, get = access.get] {
     const QString now = get();
     if (text->toPlainText() == now) return;
@@ -100,19 +101,19 @@ void FieldForm::addText(const char* name, const QString& label, TextAccess acces
   });
 }
 
-void FieldForm::addFlag(const char* name, const QString& label, Access<bool> access, const QString& tip) {
+void FieldForm::addFlag(const char* name, const QString& label, const Access<bool>& access, const QString& tip) {
   auto* box = new QCheckBox(label);
   box->setObjectName(QLatin1String(name));
   box->setToolTip(tip);
   QLabel* problem = addRow({}, box);
-  QObject::connect(box, &QCheckBox::toggled, box, [access, problem](bool on) { tell(problem, access.set(on)); });
+  QObject::connect(box, &QCheckBox::toggled, box, [set = access.set, problem](bool on) { tell(problem, set(on)); });
   add([box, get = access.get] {
     const QSignalBlocker quiet(box);
     box->setChecked(get());
   });
 }
 
-void FieldForm::addNumber(const char* name, const QString& label, const NumberRange& range, Access<std::optional<double>> access) {
+void FieldForm::addNumber(const char* name, const QString& label, const NumberRange& range, const Access<std::optional<double>>& access) {
   const bool mayBeNone = !range.noneText.isEmpty();
   const double lowest = mayBeNone ? range.lowest - range.step : range.lowest;
   auto* field = new NumberField(lowest, range.highest, range.decimals, range.unit);
@@ -122,9 +123,9 @@ void FieldForm::addNumber(const char* name, const QString& label, const NumberRa
   QLabel* problem = addRow(label, field);
   const auto valueOf = [mayBeNone, lowest](double shown) { return mayBeNone && shown <= lowest ? std::nullopt : std::optional(shown); };
   QObject::connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), field,
-                   [access, problem, valueOf, least = range.lowest](double shown) {
+                   [set = access.set, problem, valueOf, least = range.lowest](double shown) {
                      const auto value = valueOf(shown);
-                     tell(problem, access.set(value ? std::optional(std::max(least, *value)) : value));
+                     tell(problem, set(value ? std::optional(std::max(least, *value)) : value));
                    });
   add([field, get = access.get, lowest] {
     const QSignalBlocker quiet(field);
@@ -132,7 +133,7 @@ void FieldForm::addNumber(const char* name, const QString& label, const NumberRa
   });
 }
 
-void FieldForm::addChoice(const char* name, const QString& label, std::function<Options()> options, Access<std::string> access) {
+void FieldForm::addChoice(const char* name, const QString& label, std::function<Options()> options, const Access<std::string>& access) {
   auto* choice = new WheelWithFocus<QComboBox>;
   choice->setObjectName(QLatin1String(name));
   choice->setFocusPolicy(Qt::StrongFocus);
@@ -140,7 +141,7 @@ void FieldForm::addChoice(const char* name, const QString& label, std::function<
   choice->setMinimumContentsLength(8);
   QLabel* problem = addRow(label, choice);
   QObject::connect(choice, QOverload<int>::of(&QComboBox::activated), choice,
-                   [choice, access, problem](int) { tell(problem, access.set(choice->currentData().toString().toStdString())); });
+                   [choice, set = access.set, problem](int) { tell(problem, set(choice->currentData().toString().toStdString())); });
   add([choice, options = std::move(options), get = access.get] {
     const QSignalBlocker quiet(choice);
     choice->clear();

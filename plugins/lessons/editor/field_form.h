@@ -33,10 +33,10 @@ class FieldForm : public QWidget {
   void addHeading(const QString& text);
   QLabel* addRemark(const QString& text);
   void addWidget(QWidget* widget);
-  void addLine(const char* name, const QString& label, TextAccess access);
+  void addLine(const char* name, const QString& label, const TextAccess& access);
   /// @param placeholder of an empty field
-  void addText(const char* name, const QString& label, TextAccess access, int lines = 4, const QString& placeholder = {});
-  void addFlag(const char* name, const QString& label, Access<bool> access, const QString& tip = {});
+  void addText(const char* name, const QString& label, const TextAccess& access, int lines = 4, const QString& placeholder = {});
+  void addFlag(const char* name, const QString& label, const Access<bool>& access, const QString& tip = {});
   /// A number, or none where `noneText` says what that means; none lies below the lowest.
   struct NumberRange {
     double lowest = 0.0, highest = 100.0;
@@ -45,10 +45,10 @@ class FieldForm : public QWidget {
     QString noneText = {};  ///< empty: there is always a number
     double step = 1.0;
   };
-  void addNumber(const char* name, const QString& label, const NumberRange& range, Access<std::optional<double>> access);
+  void addNumber(const char* name, const QString& label, const NumberRange& range, const Access<std::optional<double>>& access);
   /// One of several; one that is set and not among them is shown as such. @param options value and what is shown, now
   using Options = std::vector<std::pair<std::string, QString>>;
-  void addChoice(const char* name, const QString& label, std::function<Options()> options, Access<std::string> access);
+  void addChoice(const char* name, const QString& label, std::function<Options()> options, const Access<std::string>& access);
 
   [[nodiscard]] QFormLayout* rows() const { return rows_; }
 

@@ -200,8 +200,7 @@ void StepEditor::addCase(const StepEdit& edited) {
                       return step == nullptr || (document_.home() && step->caseId == document_.home()->id) ? std::string() : step->caseId;
                     },
                     [this, edited](const std::string& id) {
-                      const auto done =
-                          edited.change(tr("Choose which case a step scans"), {}, [&](LessonStep& step) { step.caseId = id; });
+                      auto done = edited.change(tr("Choose which case a step scans"), {}, [&](LessonStep& step) { step.caseId = id; });
                       if (task_ != nullptr) task_->showTask(false);  // targets are those of that case
                       return done;
                     }});

@@ -130,8 +130,10 @@ Result<void> WatchForm::nameInStep(const StepEdit& at, const ScanToKeep& kept) {
                    ew::say<"Another case was opened before the expert's scan was kept; open the case it is for again.">());
   auto named = at.changeTask<WatchTask>(tr("Record the expert's scan"), {}, [&](WatchTask& task) {
     task = {kept.name, {}, {}, {}};
-    for (const double mark_s : kept.marks_s)
-      task = withMark(std::move(task), {mark_s, tr("Mark %1").arg(task.marks.size() + 1).toStdString()});
+    for (const double mark_s : kept.marks_s) {
+      const std::string name = tr("Mark %1").arg(task.marks.size() + 1).toStdString();
+      task = withMark(std::move(task), {mark_s, name});
+    }
   });
   if (named && at.task<WatchTask>().recording != kept.name)
     return failure(ErrorCode::notFound,

@@ -202,7 +202,8 @@ void WatchForm::addMark() {
   if (!recording_) return;
   const double at_s = line_->position_s();
   change(tr("Mark a moment"), {}, [&](WatchTask& task) {
-    task = withMark(std::move(task), {at_s, tr("Mark %1").arg(task.marks.size() + 1).toStdString()});
+    const std::string name = tr("Mark %1").arg(task.marks.size() + 1).toStdString();
+    task = withMark(std::move(task), {at_s, name});
   });
   showTask(false);
 }

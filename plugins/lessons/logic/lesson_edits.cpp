@@ -37,11 +37,11 @@ void moveTo(All& all, std::string_view id, std::size_t place) {
 }
 
 template <class All>
-void copyBehind(All& all, std::string_view id, std::string title, std::string_view otherwise) {
+void copyBehind(All& all, std::string_view id, const std::string& title, std::string_view otherwise) {
   const auto at = placeOf(all, id);
   if (at == all.end()) return;
   auto copy = *at;
-  copy.title = std::move(title);
+  copy.title = title;
   insertBehind(all, std::move(copy), id, otherwise);
 }
 
@@ -90,8 +90,8 @@ Lessons withLesson(Lessons lessons, Lesson added, std::string_view after) {
   return lessons;
 }
 
-Lessons withCopyOf(Lessons lessons, std::string_view id, std::string title) {
-  copyBehind(lessons, id, std::move(title), "lesson");
+Lessons withCopyOf(Lessons lessons, std::string_view id, const std::string& title) {
+  copyBehind(lessons, id, title, "lesson");
   return lessons;
 }
 
@@ -118,8 +118,8 @@ Lesson withStep(Lesson lesson, LessonStep added, std::string_view after) {
   return lesson;
 }
 
-Lesson withCopyOfStep(Lesson lesson, std::string_view id, std::string title) {
-  copyBehind(lesson.steps, id, std::move(title), "step");
+Lesson withCopyOfStep(Lesson lesson, std::string_view id, const std::string& title) {
+  copyBehind(lesson.steps, id, title, "step");
   return lesson;
 }
 

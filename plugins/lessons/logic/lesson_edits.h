@@ -30,14 +30,14 @@ using Lessons = std::vector<Lesson>;
 /// Puts it behind `after`, or at the end, with an id that no other has.
 [[nodiscard]] Lessons withLesson(Lessons lessons, Lesson added, std::string_view after = {});
 /// The copy comes behind what was copied. Its steps keep their ids: they are unique in their lesson alone.
-[[nodiscard]] Lessons withCopyOf(Lessons lessons, std::string_view id, std::string title);
+[[nodiscard]] Lessons withCopyOf(Lessons lessons, std::string_view id, const std::string& title);
 [[nodiscard]] Lessons without(Lessons lessons, std::string_view id);
 /// @param place where it is to stand, from 0
 [[nodiscard]] Lessons withMoved(Lessons lessons, std::string_view id, std::size_t place);
 [[nodiscard]] Lessons withChanged(Lessons lessons, std::string_view id, const std::function<void(Lesson&)>& change);
 
 [[nodiscard]] Lesson withStep(Lesson lesson, LessonStep added, std::string_view after = {});
-[[nodiscard]] Lesson withCopyOfStep(Lesson lesson, std::string_view id, std::string title);
+[[nodiscard]] Lesson withCopyOfStep(Lesson lesson, std::string_view id, const std::string& title);
 [[nodiscard]] Lesson withoutStep(Lesson lesson, std::string_view id);
 [[nodiscard]] Lesson withStepMoved(Lesson lesson, std::string_view id, std::size_t place);
 /// What `change` does to id is undone: it stays.

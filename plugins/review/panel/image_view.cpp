@@ -158,7 +158,7 @@ QString ImageView::titleOfScan() const {
   if (scan == nullptr) return {};
   const ScanChoice& choice = scan->scan->choice;
   const LessonAttempts* of = selection_.lesson();
-  const QString title = words(of != nullptr ? of->words.of(choice.title) : choice.title);
+  QString title = words(of != nullptr ? of->words.of(choice.title) : choice.title);
   if (choice.attempt.empty() || of == nullptr) return title;
   for (const auto& [folder, tried] : of->attempts)
     if (folder == choice.attempt) return tr("%1: %2", "person: step").arg(reviewer_.personOf(tried), title);

@@ -102,7 +102,7 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
   bands.run(steps_, [&](int firstStep, int count, int) {
     for (int p = 1; p < kPlanes; ++p) {
       float* sum = gains_.data() + indexOf(0, firstStep);
-      std::transform(sum, sum + count * lines_, gains_.data() + indexOf(p, firstStep), sum, std::plus());
+      std::transform(sum, sum + static_cast<std::ptrdiff_t>(count) * lines_, gains_.data() + indexOf(p, firstStep), sum, std::plus());
     }
   });
 }

@@ -28,7 +28,7 @@ void transpose16(const std::uint8_t* in, std::ptrdiff_t stride, std::uint8_t* ou
   hn::Vec<Bytes> a[16], b[16];
   for (int k = 0; k < 16; ++k) a[k] = hn::LoadU(d, in + k * stride);
   const auto interleave = [d](const hn::Vec<Bytes>* from, hn::Vec<Bytes>* to) HWY_ATTR {
-    for (int k = 0; k < 8; ++k) {
+    for (std::size_t k = 0; k < 8; ++k) {
       to[2 * k] = hn::InterleaveLower(d, from[k], from[k + 8]);
       to[2 * k + 1] = hn::InterleaveUpper(d, from[k], from[k + 8]);
     }
@@ -37,7 +37,7 @@ void transpose16(const std::uint8_t* in, std::ptrdiff_t stride, std::uint8_t* ou
   interleave(b, a);
   interleave(a, b);
   interleave(b, a);
-  for (int k = 0; k < 16; ++k) hn::Store(a[k], d, out + 16 * k);
+  for (std::size_t k = 0; k < 16; ++k) hn::Store(a[k], d, out + 16 * k);
 }
 #endif
 
@@ -50,7 +50,7 @@ HWY_INLINE void addBlock(const std::uint8_t* columns, float weight, ImageView<fl
   for (int s = 0; s < 16; ++s) {
     float* out = echoes.row(sample + s) + line;
     for (std::size_t n = 0; n < 16; n += hn::Lanes(d)) {
-      const auto level = hn::ConvertTo(d, hn::PromoteTo(di, hn::Load(du8, columns + 16 * s + static_cast<int>(n))));
+      const auto level = hn::ConvertTo(d, hn::PromoteTo(di, hn::Load(du8, columns + 16 * static_cast<std::size_t>(s) + n)));
       if constexpr (first)
         hn::StoreU(hn::Mul(factor, level), d, out + n);
       else

@@ -153,7 +153,7 @@ bool CostMeasurement::timeQualities() {
     detail::Difference difference;
     if (!compareSlices(quality, difference)) return false;
     difference.putInto(point);
-    result.qualities.push_back(std::move(point));
+    result.qualities.push_back(point);
   }
   return true;
 }
@@ -198,7 +198,7 @@ bool CostMeasurement::timePlanes() {
         });
     if (point.frame_ms < 0.0) return false;
     difference.putInto(point);
-    result.planes.insert(result.planes.begin(), std::move(point));
+    result.planes.insert(result.planes.begin(), point);
   }
   return true;
 }

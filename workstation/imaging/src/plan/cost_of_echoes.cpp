@@ -67,7 +67,7 @@ Result<CostOfAccuracy> measureCostOfEchoes(const FrameInput& subject, const Prob
     });
     if (point.frame_ms < 0.0) return cancelled();
     difference.putInto(point);
-    result.qualities.push_back(std::move(point));
+    result.qualities.push_back(point);
   }
   progress.report(say<"Timing the qualities">(), 1.0);
   return result;

@@ -82,9 +82,10 @@ class Panorama {
 
  private:
   static constexpr int kTile_px = 128;
+  static constexpr std::size_t kTilePixels = std::size_t{kTile_px} * kTile_px;
   struct Tile {
-    std::array<std::uint32_t, kTile_px * kTile_px> levels{};  ///< sums of weight * level
-    std::array<std::uint32_t, kTile_px * kTile_px> weights{};
+    std::array<std::uint32_t, kTilePixels> levels{};  ///< sums of weight * level
+    std::array<std::uint32_t, kTilePixels> weights{};
   };
   /// From pixels of the wide image to those of an image.
   struct ToImage {
