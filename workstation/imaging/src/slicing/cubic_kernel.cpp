@@ -215,10 +215,10 @@ void sampleCubic(const Piece& piece, const Announcer& next) {
     for (int n = 0; n < count; ++n) {
       if (begin + n < next.count()) next.ask(begin + n);
       const std::uint8_t* from = piece.voxels + piece.offset[static_cast<std::size_t>(begin + n)];
-      hn::Store(sumSample(from, stepsOf<layout>(piece, begin + n), weights, n), d, parts + kTogether * n);
+      hn::Store(sumSample(from, stepsOf<layout>(piece, begin + n), weights, n), d, parts + kTogether * static_cast<std::ptrdiff_t>(n));
     }
     for (int n = 0; n < count; n += kTogether) {
-      const VecSums sum = hn::Add(addUp(parts + kTogether * n), hn::Set(d, kRounding));
+      const VecSums sum = hn::Add(addUp(parts + kTogether * static_cast<std::ptrdiff_t>(n)), hn::Set(d, kRounding));
       storeGreys(d, hn::ShiftRight<kBelowSum>(sum), count - n, piece.out + begin + n);
     }
   }

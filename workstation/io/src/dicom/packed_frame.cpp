@@ -58,7 +58,7 @@ std::optional<CodecHeader> jpegHead(Bytes stream, bool lossless_ls) {
       head.namesColours = true;
       head.lumaChroma = body[11] == 1;
     } else if (marker == 0xDA) {
-      if (!framed || body.size() < 1 || body.size() < 4 + 2 * static_cast<std::size_t>(body[0])) return std::nullopt;
+      if (!framed || body.empty() || body.size() < 4 + 2 * static_cast<std::size_t>(body[0])) return std::nullopt;
       if (lossless_ls) head.byPlanes = body[2 + 2 * static_cast<std::size_t>(body[0])] == 0;
       break;
     } else if (marker == 0xD8 || marker == 0xD9) {
@@ -264,7 +264,7 @@ std::optional<std::vector<std::uint8_t>> unpackRle(Bytes packed, std::size_t seg
     std::size_t left = planeSize;
     while (left > 0) {
       if (at >= end) return std::nullopt;
-      const int control = static_cast<std::int8_t>(packed[at++]);
+      const int byte = packed[at++], control = byte < 128 ? byte : byte - 256;
       if (control == -128) continue;
       const auto count = static_cast<std::size_t>(control >= 0 ? control + 1 : 1 - control);
       // A run may reach over the end of the plane by the padding of some writers.

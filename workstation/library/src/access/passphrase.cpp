@@ -35,8 +35,9 @@ tl::unexpected<Error> noMemoryFor(const PassphraseCost& cost) {
 
 Passphrase::~Passphrase() { ::sodium_memzero(words_.data(), words_.size()); }
 
-Passphrase::Passphrase(Passphrase&& other) noexcept : words_(other.words_) {
-  ::sodium_memzero(other.words_.data(), other.words_.size());  // a short text is copied, not taken over
+Passphrase::Passphrase(Passphrase&& other) noexcept
+    : words_(other.words_) {  // NOLINT(performance-move-constructor-init): a short text is copied even when it is moved
+  ::sodium_memzero(other.words_.data(), other.words_.size());
   other.words_.clear();
 }
 
