@@ -14,7 +14,7 @@ std::vector<Message> Examination::measuredIn(std::uint64_t image, const Measurem
   std::vector<Message> remarks;
   std::vector<Found> now;
   for (const Measurement& each : measurements.all) {
-    const auto entry = entryOf(each, *package_, at);
+    auto entry = entryOf(each, *package_, at);
     if (!entry) {
       remarks.push_back(entry.error().message);
       continue;

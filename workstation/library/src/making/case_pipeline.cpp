@@ -222,7 +222,7 @@ class Preparation {
 
   void keepTruth() {
     if (!patient_) return;
-    if (auto truth = truthOfPatient(*patient_, silent_)) static_cast<void>(store_.keep(kTruths, plan_.truth, std::move(*truth)));
+    if (const auto truth = truthOfPatient(*patient_, silent_)) static_cast<void>(store_.keep(kTruths, plan_.truth, *truth));
   }
 
   /// A recording on disk, as a laboratory has it: the tracked images and the device set with calibration and sector.

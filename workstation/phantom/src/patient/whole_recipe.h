@@ -10,7 +10,7 @@
 namespace ew::phantom {
 
 /// A patient's recipe as one plain object: what it extends merged into it, every expression replaced by its number.
-struct WholeRecipe {
+struct WholeRecipe {  // NOLINT(bugprone-exception-escape): JSON is moved without an exception
   nlohmann::json json;
   std::vector<PatientParameter> parameters;  ///< by name
 };

@@ -94,7 +94,7 @@ void addBlock(const ScannerSetup& setup, const ScattererField& field, const View
   PointBatch& batch = work.batch;
   if (!made.x.empty()) {
     const std::size_t count = made.x.size();
-    static_assert(ScattererBlock::kCells * ScattererBlock::kCells * ScattererBlock::kCells <= PointBatch::kMost);
+    static_assert(std::size_t{ScattererBlock::kCells} * ScattererBlock::kCells * ScattererBlock::kCells <= PointBatch::kMost);
     move(view, made.x.data(), made.y.data(), made.z.data(), count, to, batch);
     std::copy(made.amplitude.begin(), made.amplitude.end(), batch.amplitude.begin());
     addBatch(setup, count, work);

@@ -40,7 +40,7 @@ glm::dmat3 smallTurn(const glm::dvec3& about_rad) {
 
 std::optional<TrackerPoses> track(const Trajectory& trajectory, const SweepRecipe& recipe, int threads, Progress& progress) {
   const auto& tracker = recipe.tracker;
-  const auto normal3 = [&](Stream stream, int frame) {
+  const auto normal3 = [&](Stream stream, std::int64_t frame) {
     return glm::dvec3(normalAt(tracker.seed, stream, 3 * frame), normalAt(tracker.seed, stream, 3 * frame + 1),
                       normalAt(tracker.seed, stream, 3 * frame + 2));
   };

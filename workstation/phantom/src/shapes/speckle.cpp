@@ -9,6 +9,7 @@ namespace ew {
 namespace {
 
 constexpr int kReach = 2;
+constexpr std::size_t kBorders = 2 * std::size_t{kReach};
 constexpr std::array<std::int32_t, 5> kTaps{1, 4, 6, 4, 1};
 // A scatterer's part is the number of bits set among 32, less 16: variance 8. The taps' squares sum to 70 in each direction.
 constexpr double kMeanPower = 2.0 * 8.0 * 70.0 * 70.0 * 70.0;
@@ -39,8 +40,8 @@ double valueNoise(std::uint64_t seed, const glm::dvec3& at) {
 void specklePower(std::uint64_t seed, const glm::ivec3& first, const glm::ivec3& size, SpeckleScratch& scratch, std::vector<float>& power) {
   EW_EXPECTS(size.x > 0 && size.y > 0 && size.z > 0);
   const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y), slices = static_cast<std::size_t>(size.z);
-  const std::size_t wide = width + 2 * kReach, tall = height + 2 * kReach, plane = width * height;
-  const std::size_t deep = slices + 2 * kReach;
+  const std::size_t wide = width + kBorders, tall = height + kBorders, plane = width * height;
+  const std::size_t deep = slices + kBorders;
   scratch.row.resize(2 * wide);
   scratch.plane.resize(2 * width * tall);
   scratch.stack.resize(2 * plane * deep);
