@@ -84,7 +84,7 @@ LandmarkRigid closedForm(const Points& points, std::span<const double> weight, b
   for (std::size_t i = 0; i < points.size(); ++i)
     h += weight[i] * (points.fixed[i] - fixedCentre) * (points.moving[i] - movingCentre).transpose();
   const Eigen::JacobiSVD<Matrix> svd(h, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector s = svd.singularValues();
+  const Vector& s = svd.singularValues();
   if (s[0] <= 0.0) {
     found.turn = Matrix::Identity();
   } else if (s[1] < 1e-9 * s[0]) {

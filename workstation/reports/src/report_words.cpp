@@ -116,7 +116,7 @@ std::string_view metricUnit(const std::string& id) {
 }
 
 Message inWordsOf(const CaseWords& words, const Message& message) {
-  return message.withVerbatim([&](std::string text) { return words.has(text) ? words.of(text) : withoutFolders(text); });
+  return message.withVerbatim([&](const std::string& text) { return words.has(text) ? words.of(text) : withoutFolders(text); });
 }
 
 std::string stepTitle(const CaseWords& words, const std::string& stepId, const std::string& title) {

@@ -12,9 +12,9 @@ glm::dmat3 stepsOf(const Grid& grid) {
 using CellCoefficients = std::array<double, 27>;  // of Bernstein polynomials of degree 2 along each axis, x fastest
 
 /// From values at 0, 1/2, 1 along one axis to Bernstein coefficients: b1 = 2 f(1/2) - (f(0) + f(1)) / 2.
-void toBernstein(CellCoefficients& c, int stride, int a, int b) {
-  for (int v = 0; v < 3; ++v) {
-    for (int u = 0; u < 3; ++u) {
+void toBernstein(CellCoefficients& c, std::ptrdiff_t stride, std::ptrdiff_t a, std::ptrdiff_t b) {
+  for (std::ptrdiff_t v = 0; v < 3; ++v) {
+    for (std::ptrdiff_t u = 0; u < 3; ++u) {
       double* at = c.data() + u * a + v * b;
       at[stride] = 2.0 * at[stride] - 0.5 * (at[0] + at[2 * stride]);
     }

@@ -303,7 +303,7 @@ bool LevelPair::trustAgreement(double window_mm, double least, double power, Pro
 
 namespace {
 
-constexpr std::size_t kCellProducts = 27 * kProducts, kCellRight = 8 * 4, kCellMoments = kCellProducts + kCellRight;
+constexpr std::size_t kCellProducts = 27 * std::size_t{kProducts}, kCellRight = 32, kCellMoments = kCellProducts + kCellRight;
 
 /// What rows of one line of cells (one y, one z of cells) add up to, sample by sample along x.
 struct LineScratch {
@@ -313,7 +313,7 @@ struct LineScratch {
   /// @param width floats of a row; 0: no products are wanted
   explicit LineScratch(std::size_t width) : floats((3 * kProducts + 8) * width, 0.0F) {
     rows.products = floats.data();
-    rows.right = floats.data() + 3 * kProducts * width;
+    rows.right = floats.data() + 3 * std::size_t{kProducts} * width;
     rows.stride = static_cast<int>(width);
   }
 };

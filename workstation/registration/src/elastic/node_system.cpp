@@ -223,7 +223,7 @@ void NodeSystem::addCell(const glm::ivec3& cell, const float* products, const fl
     if (of.x >= corners.x || of.y >= corners.y || of.z >= corners.z) continue;
     const glm::ivec3 at = cell + of;
     const std::size_t node = grid.indexOf(at.x, at.y, at.z);
-    const float* sum = rights + ((of.x * 2 + of.y) * 2 + of.z) * 4;
+    const float* sum = rights + 4 * static_cast<std::ptrdiff_t>((of.x * 2 + of.y) * 2 + of.z);
     for (std::size_t c = 0; c < 4; ++c) right[4 * node + c] += sum[c];
     // Where the neighbours of this node start and how many it has along x and y.
     const glm::ivec3 low = glm::max(at - 1, glm::ivec3(0)), high = glm::min(at + 1, grid.dims - 1);

@@ -136,7 +136,7 @@ void addCell(const CellSums& cell, int cellX, int cellY, int nodesAlong, std::ve
         float* to = coupling.data() + (node * kNumbers + k) * kAround;
         for (int b = 0; b < 4; ++b) {
           const auto& from = cell.pairs[k][static_cast<std::size_t>(kPairOf[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)])];
-          float* line = to + (b - a + 3) * kLine + 3 - i;
+          float* line = to + (b - a + 3) * std::ptrdiff_t{kLine} + 3 - i;
           for (int j = 0; j < 4; ++j)
             line[j] += from[static_cast<std::size_t>(kPairOf[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)])];
         }
@@ -225,11 +225,11 @@ void PlanarEquations::multiply(const std::vector<float>& in, std::vector<float>&
       for (std::size_t b = 0; b < kSpan; ++b) {
         const float* px = padded.data() + (j + b) * stride + i;
         const float *py = px + plane, *pb = py + plane;
-        const float* line = c + b * kLine;
+        const float *xx = c + b * kLine, *xy = xx + kAround, *yy = xy + kAround, *xb = yy + kAround, *yb = xb + kAround, *bb = yb + kAround;
         for (std::size_t a = 0; a < kLine; ++a) {
-          sx[a] += line[a] * px[a] + line[kAround + a] * py[a] + line[3 * kAround + a] * pb[a];
-          sy[a] += line[kAround + a] * px[a] + line[2 * kAround + a] * py[a] + line[4 * kAround + a] * pb[a];
-          sb[a] += line[3 * kAround + a] * px[a] + line[4 * kAround + a] * py[a] + line[5 * kAround + a] * pb[a];
+          sx[a] += xx[a] * px[a] + xy[a] * py[a] + xb[a] * pb[a];
+          sy[a] += xy[a] * px[a] + yy[a] * py[a] + yb[a] * pb[a];
+          sb[a] += xb[a] * px[a] + yb[a] * py[a] + bb[a] * pb[a];
         }
       }
       out[node * 3] = total(sx);

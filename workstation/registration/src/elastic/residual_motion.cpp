@@ -72,7 +72,7 @@ void lookAlong(const LevelPair& pair, const MotionBlocks& blocks, int j, int k, 
   };
   std::vector<std::array<Best, 2>> best(across);
   std::vector<std::array<double, 2>> covered(across);
-  std::vector<float> moments(2 * kMoments * static_cast<std::size_t>(stride) + kOverrun);
+  std::vector<float> moments(2 * std::size_t{kMoments} * static_cast<std::size_t>(stride) + kOverrun);
   const std::size_t half = kMoments * static_cast<std::size_t>(stride);
   for (std::size_t s = 0; s < blocks.shifts.size(); ++s) {
     const glm::ivec3 shift = blocks.shifts[s];

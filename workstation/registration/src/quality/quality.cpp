@@ -454,7 +454,8 @@ Result<void> Assessment::goThereAndBack(const Deformation& backward) {
 std::optional<double> Assessment::errorThereAndBack(std::size_t n, const Deformation& backward) const {
   if (fixedMask_[n] == 0) return std::nullopt;
   const std::size_t nx = static_cast<std::size_t>(grid_.dims.x), ny = static_cast<std::size_t>(grid_.dims.y);
-  const glm::dvec3 voxel(static_cast<double>(n % nx), static_cast<double>(n / nx % ny), static_cast<double>(n / nx / ny));
+  const std::size_t i = n % nx, j = n / nx % ny, k = n / nx / ny;
+  const glm::dvec3 voxel(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
   const glm::dvec3 p = (grid_.voxelToWorld() * Point<frame::Voxel>{voxel}).at;
   const glm::dvec3 there = movingPoint(fixedToMoving_, p);
   const Grid& movingGrid = moving_.volume->grid;

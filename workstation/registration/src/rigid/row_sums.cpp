@@ -135,7 +135,7 @@ HWY_INLINE PoseGradient movingGradient(const PoseRow& job, const PoseCell& c, co
   const PoseV dx1 = hn::MulAdd(c.fy, hn::Sub(m.dx11, m.dx01), m.dx01);
   const PoseV gx = hn::MulAdd(c.fz, hn::Sub(dx1, dx0), dx0);
   const PoseV gy = hn::MulAdd(c.fz, hn::Sub(m.dy1, m.dy0), m.dy0);
-  const auto turned = [&](int a) HWY_ATTR {
+  const auto turned = [&](std::ptrdiff_t a) HWY_ATTR {
     const PoseV sum = hn::Mul(hn::Set(d, job.turn[3 * a]), gx);
     return hn::MulAdd(hn::Set(d, job.turn[3 * a + 2]), m.dz, hn::MulAdd(hn::Set(d, job.turn[3 * a + 1]), gy, sum));
   };

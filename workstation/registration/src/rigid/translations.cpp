@@ -381,8 +381,10 @@ std::vector<Coarse> correlateOverTranslations(const ComparableImage& fixed, cons
 std::uint64_t forecastTranslations_bytes(const Grid& fixed, const Grid& moving, int threads, std::size_t turns) {
   const glm::ivec3 size = sizeFor(fixed.dims, moving.dims);
   const std::uint64_t cells = static_cast<std::uint64_t>(size.x) * size.y * size.z;
+  constexpr std::uint64_t kComplex_bytes = 8;
   // Per thread two complex volumes, the library's own copy in each of two plans, and the score; once the fixed spectrum and its source.
-  return cells * (static_cast<std::uint64_t>(threads) * (2 * 8 + 2 * 8 + 4) + 2 * 8) + moving.voxelCount() * 8 + turns * 1024;
+  return cells * (static_cast<std::uint64_t>(threads) * (2 * kComplex_bytes + 2 * kComplex_bytes + 4) + 2 * kComplex_bytes) +
+         moving.voxelCount() * 8 + turns * 1024;
 }
 
 }  // namespace ew::registration
