@@ -116,9 +116,7 @@ bool isLanguageTag(std::string_view text) {
       if (run == 0) return false;
       run = 0;
       ++runs;
-    } else if (!isWordLetter(letter) || ++run > 8) {
-      return false;
-    } else if (runs == 0 && std::isalpha(static_cast<unsigned char>(letter)) == 0) {
+    } else if (!isWordLetter(letter) || ++run > 8 || (runs == 0 && std::isalpha(static_cast<unsigned char>(letter)) == 0)) {
       return false;
     }
   }

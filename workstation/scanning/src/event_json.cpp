@@ -93,7 +93,7 @@ Result<ScanEvent> eventOf(const json& object, const Message& where) {
     SettingsChanged settings{*knobs, {}};
     if (const auto pan = fields.numbers("pan_mm", 2, 2, -kFarthestPan_mm, kFarthestPan_mm, false); !pan.empty())
       settings.pan = {pan[0], pan[1]};
-    event.what = std::move(settings);
+    event.what = settings;
   } else if (fields.has("scene")) {
     auto scene = sceneFromJson(*fields.find("scene"), where);
     if (!scene) return passOn(scene.error());

@@ -37,6 +37,8 @@ void Jobs::startSaving(const std::string& title, std::function<Result<void>(Prog
 }
 PanelDocument::~PanelDocument() = default;
 std::string PanelDocument::unsaved() const { return {}; }
+// By value, for those who do it keep what they are given.
+// NOLINTBEGIN(performance-unnecessary-value-param)
 Panels::~Panels() = default;
 void Panels::add(const std::string& id, const std::string& title, StagePanel::Make make, const std::string& workspace) {
   addStaged({.id = id, .title = title, .make = std::move(make), .workspace = workspace});
@@ -76,5 +78,6 @@ Commands::~Commands() = default;
 Log::~Log() = default;
 Host::~Host() = default;
 Plugin::~Plugin() = default;
+// NOLINTEND(performance-unnecessary-value-param)
 
 }  // namespace ew::sdk

@@ -172,7 +172,7 @@ void TraineeCase::findViews(Progress& progress) {
   for (const auto& [kind, name] : targets) {
     if (progress.cancelRequested()) return;
     progress.report(say<"Looking for views of targets">(), static_cast<double>(done++) / static_cast<double>(targets.size()));
-    if (auto view = found(kind, name)) views_.insert({{kind, name}, *std::move(view)});
+    if (const auto view = found(kind, name)) views_.insert({{kind, name}, *view});
   }
 }
 

@@ -18,7 +18,7 @@ namespace ew {
 // numbers are those of the specification.
 
 /// What a launch gives (8.1).
-struct Cmi5Launch {
+struct Cmi5Launch {          // NOLINT(bugprone-exception-escape): JSON is moved without an exception
   std::string endpoint;      ///< of the record store, ends with '/'
   std::string fetch;         ///< where the token is to be had, once
   nlohmann::json actor;      ///< an agent with an account
@@ -44,7 +44,7 @@ enum class Cmi5Mode { normal, browse, review };  ///< only in normal is it judge
 enum class Cmi5MoveOn { notApplicable, passed, completed, completedAndPassed, completedOrPassed };
 
 /// The document LMS.LaunchData (10).
-struct Cmi5LaunchData {
+struct Cmi5LaunchData {            // NOLINT(bugprone-exception-escape): JSON is moved without an exception
   nlohmann::json contextTemplate;  ///< goes into every statement; has the session's id
   Cmi5Mode mode = Cmi5Mode::normal;
   Cmi5MoveOn moveOn = Cmi5MoveOn::notApplicable;
@@ -86,7 +86,7 @@ class Cmi5Session {
   [[nodiscard]] bool movesOn() const;
 
  private:
-  Cmi5Session() = default;
+  Cmi5Session() = default;  // NOLINT(bugprone-exception-escape): JSON is moved without an exception
   [[nodiscard]] nlohmann::json statement(const char* verb, Moment now) const;
   [[nodiscard]] Result<void> expectOpen(const Message& what) const;
 
