@@ -127,8 +127,8 @@ cv::Ptr<cv::aruco::CharucoBoard> charucoOf(const CharucoBoard& board) {
 }
 
 cv::Point3d charucoCorner(const CharucoBoard& board, int id) {
-  const int inRow = board.columns - 1;
-  return {(1 + id % inRow) * board.square_mm, (1 + id / inRow) * board.square_mm, 0.0};
+  const int inRow = board.columns - 1, column = id % inRow, row = id / inRow;
+  return {(1 + column) * board.square_mm, (1 + row) * board.square_mm, 0.0};
 }
 
 Error impossibleCharuco() {

@@ -177,7 +177,7 @@ struct TrackedProbe::State {
   }
 };
 
-TrackedProbe::TrackedProbe(std::shared_ptr<TrackerDevice> device, TrackedProbeOptions options, TrackerCalibration calibration,
+TrackedProbe::TrackedProbe(std::shared_ptr<TrackerDevice> device, const TrackedProbeOptions& options, TrackerCalibration calibration,
                            double steadyMinusScan_s)
     : state_(std::make_unique<State>()) {
   EW_EXPECTS(device != nullptr);

@@ -197,7 +197,7 @@ QImage savedImage(const Session& session, const QDateTime& at, const OnImage& on
   if (!shown.image.isNull() && session.wide() == nullptr) paintMarkerAbove(painter, session, image);  // a wide one has no such side
   painter.end();
   for (const auto& [part, place] : {std::pair{shown.image, image}, std::pair{shown.strip, strip}}) {
-    const int pixel_bytes = saved.depth() / 8;
+    const std::ptrdiff_t pixel_bytes = saved.depth() / 8;
     for (int y = 0; y < part.height(); ++y)
       std::copy_n(part.constScanLine(y), pixel_bytes * part.width(), saved.scanLine(place.top() + y) + pixel_bytes * place.left());
   }

@@ -44,7 +44,7 @@ enum class ViewVerdict {
 /// What the images that are kept cover, and what is missing.
 struct CalibrationCoverage {
   static constexpr int kColumns = 4, kRows = 3;
-  std::array<int, kColumns * kRows> corners{};  ///< of the board, in each part of the image, row by row
+  std::array<int, std::size_t{kColumns} * kRows> corners{};  ///< of the board, in each part of the image, row by row
   /// Images in which the board is: straight, tipped to the left, right, upwards and downwards (15 degrees and more), near and far.
   int straight = 0, left = 0, right = 0, up = 0, down = 0, near = 0, far = 0;
   int views = 0;

@@ -29,7 +29,7 @@ struct IgtlMessage {
 
 inline constexpr std::size_t kIgtlHeader_bytes = 58;
 /// A body of a type that is read is at most that long; larger ones belong to types that are passed over.
-inline constexpr std::size_t kIgtlLargestBody_bytes = 64 * 1024;
+inline constexpr std::size_t kIgtlLargestBody_bytes = std::size_t{64} << 10;
 
 /// Takes the bytes of a connection in portions of any size and gives the messages in them. It frames the stream by itself, since the
 /// library of many systems loses step for good at the first message of header version 2. Memory: never more than one body of a type that is

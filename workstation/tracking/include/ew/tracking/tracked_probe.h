@@ -50,7 +50,7 @@ class TrackedProbe final : public PoseSource {
  public:
   /// @param device started and stopped by whoever made it
   /// @param steadyMinusScan_s what steadyNow_s() is ahead of the scan's clock
-  TrackedProbe(std::shared_ptr<TrackerDevice> device, TrackedProbeOptions options, TrackerCalibration calibration,
+  TrackedProbe(std::shared_ptr<TrackerDevice> device, const TrackedProbeOptions& options, TrackerCalibration calibration,
                double steadyMinusScan_s);
   ~TrackedProbe() override;
 
