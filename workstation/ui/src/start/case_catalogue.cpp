@@ -74,7 +74,7 @@ const CaseRow* CaseCatalogue::row(int row) const {
         each.progress = progressOf(each, *standings_);
         rows[static_cast<std::size_t>(std::find(numbers.begin(), numbers.end(), each.number) - numbers.begin())] = std::move(each);
       }
-    kept = pages_.insert(page, std::move(rows));
+    kept = pages_.insert(page, rows);
   }
   const auto& found = (*kept)[static_cast<std::size_t>(row % kPageRows)];
   return found ? &*found : nullptr;

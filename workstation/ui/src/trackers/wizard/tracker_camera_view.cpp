@@ -52,11 +52,11 @@ QPointF TrackerCameraView::shown(const QPointF& pixel, const QRectF& at) const {
 void TrackerCameraView::paintCoverage(QPainter& painter, const QRectF& at) const {
   const Theme look = scanTheme();
   for (int n = 0; n < static_cast<int>(coverage_.shares.size()); ++n) {
-    const int column = n % coverage_.columns;
+    const int column = n % coverage_.columns, row = n / coverage_.columns;
     const int shownColumn = mirrored_ ? coverage_.columns - 1 - column : column;
     const double w = at.width() / coverage_.columns;
     const double h = at.height() / coverage_.rows;
-    const QRectF cell(at.left() + shownColumn * w, at.top() + n / coverage_.columns * h, w, h);
+    const QRectF cell(at.left() + shownColumn * w, at.top() + row * h, w, h);
     QColor fill = look.accent;
     fill.setAlphaF(0.28 * std::clamp(coverage_.shares[static_cast<std::size_t>(n)], 0.0, 1.0));
     painter.fillRect(cell, fill);

@@ -305,7 +305,7 @@ Result<void> CaseSaving::saveCopy(const QString& why) {
 Result<void> CaseSaving::saveElsewhere(const std::filesystem::path& folder) {
   const std::filesystem::path present = parts_.document.current()->folder;
   std::string idThere;
-  const auto looked = parts_.jobs.await(tr("Looking at the cases beside it"), [&](Progress&) -> Result<void> {
+  auto looked = parts_.jobs.await(tr("Looking at the cases beside it"), [&](Progress&) -> Result<void> {
     idThere = idForFolder(folder);
     return {};
   });
