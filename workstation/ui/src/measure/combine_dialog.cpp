@@ -13,6 +13,7 @@
 
 #include "ew/widgets/figures.h"
 #include "ew/widgets/look.h"
+#include "ew/widgets/theme.h"
 #include "measure/calipers/calipers.h"
 #include "measure/words/finding_words.h"
 

@@ -49,7 +49,7 @@ class Screenshot final : public QObject {
   void look() {
     // An error ends the wait only when nothing is left that could still be shown: a broken plugin does not stop an image.
     if (window_.messages().isError() && !window_.isSettled() && !window_.jobs().isRunning()) return giveUp(window_.messages().text());
-    if (waited_.elapsed() > kScreenshotPatience_s * 1000) {
+    if (waited_.elapsed() > qint64{kScreenshotPatience_s} * 1000) {
       return giveUp(MainWindow::tr("The window was not ready within %1 s; try a smaller volume.").arg(kScreenshotPatience_s));
     }
     if (const auto* dialog = window_.findChild<QDialog*>(QStringLiteral("importDialog")); dialog != nullptr && dialog->isVisible()) {
