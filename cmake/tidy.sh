@@ -56,15 +56,15 @@ ew_tidy_sources() {
     fi
 }
 
-# ew_tidy_groups FOLDER FILE...: puts the files that stand in one library and have the same command into groups, up to 24 in one but no
-# more than leave work for every processor, in the order of the first of each, and prints the groups' folders. A group's source includes its
+# ew_tidy_groups FOLDER MOST FILE...: puts the files that stand in one library and have the same command into groups, up to MOST in one but
+# no more than leave work for every processor, in the order of the first of each, and prints the groups' folders. A group's source includes its
 # files, so that the headers are read once; it is called UnifiedSource because the static analyzer looks into the sources that a source
 # includes under that name alone. GROUP/files lists them.
 ew_tidy_groups() {
-  local folder=$1 most
-  shift
+  local folder=$1 limit=$2 most
+  shift 2
   most=$((($# + $(nproc) - 1) / $(nproc)))
-  [ "$most" -le 24 ] || most=24
+  [ "$most" -le "$limit" ] || most=$limit
   rm -rf "$folder"/group-*
   awk -v top="$PWD/" -v folder="$PWD/$folder" -v most="$most" '
     FNR == NR { wanted[++files] = $0; next }
@@ -156,13 +156,13 @@ export -f ew_tidy_run ew_tidy_group ew_tidy_half
 # ew_tidy SECONDS [FILE...]: clang-tidy over the sources among the files (all without any), and a line that says how many it looked at. It is
 # over after SECONDS and begins nothing in the last thirty; 0: it takes as long as it takes. Fails where there is a finding.
 ew_tidy() {
-  local folder=build/tidy end=0 files looked
-  [ "$1" -eq 0 ] || end=$(($(date +%s) + $1))
+  local folder=build/tidy end=0 files looked most=24
+  [ "$1" -eq 0 ] || { end=$(($(date +%s) + $1)); most=4; }  # a group that is not done in time is not looked at
   shift
   ew_tidy_commands "$folder"
   mapfile -t files < <(ew_tidy_sources "$folder" "$@")
   : >"$folder/seen"
-  [ ${#files[@]} -eq 0 ] || ew_tidy_groups "$folder" "${files[@]}" | tr '\n' '\0' |
+  [ ${#files[@]} -eq 0 ] || ew_tidy_groups "$folder" "$most" "${files[@]}" | tr '\n' '\0' |
     xargs -0 -P "$(nproc)" -I '{}' bash -c 'ew_tidy_group "$@"' _ "$folder" "$end" '{}'
   looked=$(wc -l <"$folder/seen")
   ew_say "clang-tidy looked at $looked of ${#files[@]} sources$([ "$looked" -eq "${#files[@]}" ] || printf '; ./check --tidy looks at all')."
