@@ -30,6 +30,8 @@ std::uint32_t hashOf(const glm::ivec3& at) {
 }
 
 constexpr double kFragmentScale_mm = 1.6;  // of the Gamma distribution (shape 2) of their lengths
+constexpr double kLeastLength = 1e-6;      // e to the minus of the longest one's, 13.82
+static_assert(0.5 * kFragmentScale_mm * 13.82 <= kMostFragment_mm);
 constexpr double kFragmentSpread_db = 4.0;
 constexpr double kFragmentFall_deg = 9.0;
 constexpr double kMostBend_perMm = 0.08;
@@ -228,7 +230,7 @@ glm::mat3 stretchOf(const ScatterBlock& block) { return {block.stretch_mm[0], bl
 }  // namespace
 
 void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragments, const std::vector<ScatterBlock>& blocks,
-                                std::int32_t* fine, std::ptrdiff_t stride) const {
+                                const DepthRange& reached, std::int32_t* fine, std::ptrdiff_t stride) const {
   const double share = layout_->effect.fragmentsPerCm3 * 1e-3 * kFragmentCell_mm * kFragmentCell_mm * kFragmentCell_mm;
   const FanShape& fan = layout_->fan;
   const double middleLine = 0.5 * static_cast<double>(layout_->grid.lines.size() - 1);
@@ -243,10 +245,6 @@ void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragm
     glm::dvec3 cell(hashed.even(), hashed.even(), hashed.even());
     const glm::dvec3 firstCell(block.cell[0], block.cell[1], block.cell[2]);
     cell = cell * double{kBlockCells} + firstCell;
-    const glm::ivec3 voxel(glm::floor(cell * fragments.voxelsPerCell + 0.5));
-    if (!level.grid.contains(voxel)) continue;
-    const std::uint8_t around = level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)];
-    if (around < kFaintestTissue) continue;
     const glm::dvec3 moved_mm = glm::dvec3(block.shift_mm) + glm::dmat3(stretchOf(block)) * (cell - firstCell);
     const glm::dvec3 at_mm = glm::dvec3(fragments.cellToProbe * glm::dvec4(cell, 1.0)) + moved_mm;
     const glm::dvec2 way = fan.directionThrough(glm::dvec2(at_mm));
@@ -260,8 +258,12 @@ void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragm
     if (sine2 > kSteepestFragment) continue;
     const FanShape::Place place = fan.placeOf(glm::dvec2(at_mm));
     if (!(place.depth_mm > 0.0 && place.depth_mm < layout_->depth_mm)) continue;
+    const glm::ivec3 voxel(glm::floor(cell * fragments.voxelsPerCell + 0.5));
+    if (!level.grid.contains(voxel)) continue;
+    const std::uint8_t around = level.voxels[level.grid.indexOf(voxel.x, voxel.y, voxel.z)];
+    if (around < kFaintestTissue) continue;
 
-    const double radius_mm = 0.5 * kFragmentScale_mm * -std::log(std::max(hashed.even() * hashed.even(), 1e-6));
+    const double radius_mm = 0.5 * kFragmentScale_mm * -std::log(std::max(hashed.even() * hashed.even(), kLeastLength));
     const double more_db = layout_->effect.fragment_db + kFragmentSpread_db * hashed.normal();
     const double fall = std::sin(kFragmentFall_deg * std::numbers::pi / 180.0);
     const double level_db = (around - 255.0) * kDecibelPerLevel + kMeanOfLog_db + layout_->effect.gain_db + more_db;
@@ -279,8 +281,8 @@ void EchoSurfaces::addFragments(const SliceSource& level, const EchoPlace& fragm
       // Curved, and fading towards its ends.
       const double seen = (below(at_mm.z + half_mm) - below(at_mm.z - half_mm)) * half_mm * half_mm / (radius_mm * radius_mm);
       const double range_mm = place.depth_mm + lean * aside_mm + 0.5 * bend_perMm * aside_mm * aside_mm;
-      add(row, range_mm, amplitude * seen, 0.0, fine, stride);
-      if (isPair) add(row, range_mm + apart_mm, kSecondWall * amplitude * seen, 0.0, fine, stride);
+      if (reached.has(range_mm)) add(row, range_mm, amplitude * seen, 0.0, fine, stride);
+      if (isPair && reached.has(range_mm + apart_mm)) add(row, range_mm + apart_mm, kSecondWall * amplitude * seen, 0.0, fine, stride);
     }
   }
 }

@@ -15,6 +15,7 @@
 namespace ew::detail {
 
 inline constexpr double kFragmentCell_mm = 3.0;
+inline constexpr double kMostFragment_mm = 11.1;  ///< from its middle to its rim
 
 /// Mirrors: each line is followed through a few planes of the slice to where it crosses a reflecting surface, and adds an echo there, as
 /// strong as the surface lies square to it:
@@ -37,8 +38,9 @@ class EchoSurfaces {
   /// in five of them with a second wall 1.2 to 3 mm behind, seen where they lie square to the beam, as much above the level around them as
   /// LiveEchoesEffect says, give or take 4 dB. Aim: 0.4 bright dashes of 3 mm and more in 4 cm2, as in a recorded liver.
   /// @param fragments lattice of which kBlockCells cells are kFragmentCell_mm
-  void addFragments(const SliceSource& level, const EchoPlace& fragments, const std::vector<ScatterBlock>& blocks, std::int32_t* fine,
-                    std::ptrdiff_t stride) const;
+  /// @param reached   nothing is added beyond
+  void addFragments(const SliceSource& level, const EchoPlace& fragments, const std::vector<ScatterBlock>& blocks,
+                    const DepthRange& reached, std::int32_t* fine, std::ptrdiff_t stride) const;
 
  private:
   struct Scratch {

@@ -40,12 +40,12 @@ HWY_INLINE void lateralSums(D d, const LateralTask& task, const std::int32_t* mi
 void filterLaterallyOf(const LateralTask& task) {
   const hn::ScalableTag<float> whole;
   const auto lanes = static_cast<int>(hn::Lanes(whole));
-  int row = 0;
+  int row = task.beginCleared;
   // While they are near: rows that no later line asks.
   const auto emptyTo = [&](int end) {
     for (; row < end; ++row) std::fill_n(task.tile + row * task.stride, task.cleared, 0);
   };
-  for (int line = 0; line < task.lines; ++line) {
+  for (int line = task.beginLine; line < task.endLine; ++line) {
     const int at = task.firstRow + line * task.rowsPerLine;
     const std::int32_t* middle = task.tile + at * task.stride;
     float* out = task.out + line * task.outStride;
@@ -54,9 +54,9 @@ void filterLaterallyOf(const LateralTask& task) {
     for (; x + lanes <= task.width; x += lanes) lateralSums<1>(whole, task, middle, x, out);
     const hn::CappedTag<float, 1> one;
     for (; x < task.width; ++x) lateralSums<1>(one, task, middle, x, out);
-    emptyTo(std::min(at + task.rowsPerLine - task.reach, task.rows));
+    emptyTo(std::min(at + task.rowsPerLine - task.reach, task.endCleared));
   }
-  emptyTo(task.rows);
+  emptyTo(task.endCleared);
 }
 
 /// Two factors of a vector of columns, from the two vectors of steps that begin at the first one's.

@@ -9,17 +9,19 @@ namespace ew::detail {
 
 /// What a tile of added-up scatterers becomes: one row of complex numbers for each line.
 struct LateralTask {
-  std::int32_t* tile = nullptr;  ///< its first column; empty afterwards, for the next frame
+  std::int32_t* tile = nullptr;  ///< its first column
   std::int64_t stride = 0;       ///< of a row
-  int rows = 0;
-  int width = 0;    ///< of the tile, real and imaginary parts together
-  int cleared = 0;  ///< how much of each row is emptied: the last tile has more
+  int width = 0;                 ///< of the tile, real and imaginary parts together
+  int cleared = 0;               ///< how much of each row is emptied: the last tile has more
   float unit = 1.0F;
   const float* weights = nullptr;  ///< (reach + 1) x width
   int reach = 0;
   int firstRow = 0;  ///< of the first line
   int rowsPerLine = 1;
-  int lines = 0;
+  int beginLine = 0;
+  int endLine = 0;
+  int beginCleared = 0;  ///< rows that are emptied
+  int endCleared = 0;
   float* out = nullptr;
   std::int64_t outStride = 0;
 };

@@ -14,6 +14,7 @@ namespace {
 constexpr double kHazeReach_mm = 8.0;
 constexpr int kLobesOnASide = 4;
 constexpr double kNoHaze_db = -80.0;
+constexpr int kParts = 3;  // of a piece: left, right, between
 
 }  // namespace
 
@@ -66,54 +67,74 @@ void LiveEchoes::scatter(const TissueMaps& maps, std::uint64_t version, const Gr
   const SliceSource level(VolumeView<const std::uint8_t>{maps.level.data(), placed});
   scratch_.resize(static_cast<std::size_t>(bands.threads()));
   noiseKey_.reset();
-  const EchoPlace place = echoPlaceOf(layout_.pitch_mm, level.grid, probeToVoxel);
-  const EchoPlace fragments = echoPlaceOf(kFragmentCell_mm / kBlockCells, level.grid, probeToVoxel);
-  ScatterTask task = scatterTaskOf(layout_, place, level);
+  ScatterPlaces places{.scatterers = echoPlaceOf(layout_.pitch_mm, level.grid, probeToVoxel),
+                       .fragments = echoPlaceOf(kFragmentCell_mm / kBlockCells, level.grid, probeToVoxel),
+                       .level = level,
+                       .task = {}};
+  places.fragments.beside_mm = kMostFragment_mm;
+  ScatterTask& task = places.task;
+  task = scatterTaskOf(layout_, places.scatterers, level);
   task.field = fine_.data();
   task.stride = static_cast<std::int32_t>(fineStride_);
-  constexpr int kParts = 3;
   stores_.resize(static_cast<std::size_t>(kParts * piecesOf(layout_)));
   if (version == 0 || version != storesOf_ || !task.hasSameScatterers(storedTask_))
     for (ScattererStore& store : stores_) store.forget();
   storesOf_ = version;
   storedTask_ = task;
-  const auto addPart = [&](int piece, PartOfPiece part, int slot) {
-    Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
-    findBlocks(layout_, place, motion_, level.grid.dims, piece, part, mine.shifts, mine.blocks);
-    const int own = part == PartOfPiece::between ? 2 : part == PartOfPiece::right ? 1 : 0;
-    addScatterers(task, mine.blocks, stores_[static_cast<std::size_t>(kParts * piece + own)]);
-  };
-  // Every other piece, then those between: two threads never add to the same place. Deep ones, which hold most, come first.
+  // Every other piece, then those between: two threads never add to the same place. Deep ones, which hold most, come first, and all of
+  // the left before all of the right, so that a thread stays on its side.
   const int pieces = piecesOf(layout_);
   const bool isHalved = bands.threads() > 1 && hasSides(layout_);
+  const auto pieceOf = [&](int odd, int n) { return 2 * ((pieces + 1 - odd) / 2 - 1 - n) + odd; };
   for (const int odd : {0, 1}) {
     const int count = (pieces + 1 - odd) / 2;
     if (isHalved)
       bands.runEach(2 * count, [&](int n, int slot) {
-        addPart(2 * (count - 1 - n / 2) + odd, n % 2 == 0 ? PartOfPiece::left : PartOfPiece::right, slot);
+        addPiece(places, pieceOf(odd, n % count), n < count ? PartOfPiece::left : PartOfPiece::right, slot);
       });
   }
-  for (const int odd : {0, 1}) {
-    const int count = (pieces + 1 - odd) / 2;
-    bands.runEach(count, [&](int n, int slot) {
-      const int piece = 2 * (count - 1 - n) + odd;
-      addPart(piece, isHalved ? PartOfPiece::between : PartOfPiece::all, slot);
-      if (!(layout_.effect.fragmentsPerCm3 > 0.0)) return;
-      Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
-      findBlocks(layout_, fragments, motion_, level.grid.dims, piece, PartOfPiece::all, mine.shifts, mine.blocks);
-      surfaces_.addFragments(level, fragments, mine.blocks, fine_.data(), fineStride_);
-    });
-  }
+  for (const int odd : {0, 1})
+    bands.runEach((pieces + 1 - odd) / 2,
+                  [&](int n, int slot) { addPiece(places, pieceOf(odd, n), isHalved ? PartOfPiece::between : PartOfPiece::all, slot); });
   if (!maps.surfaces.empty() && !maps.surfaceDistance.empty()) surfaces_.add(maps, probeToVoxel, motion_, bands, fine_.data(), fineStride_);
-  bands.runEach(layout_.tiles, [&](int tile, int) { filterTile(tile); });
+  filter(bands);
 }
 
-void LiveEchoes::filterTile(int tile) {
+void LiveEchoes::addPiece(const ScatterPlaces& places, int piece, PartOfPiece part, int slot) {
+  Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
+  const int own = part == PartOfPiece::between ? 2 : part == PartOfPiece::right ? 1 : 0;
+  findBlocks(layout_, places.scatterers, motion_, places.level.grid.dims, piece, part, mine.shifts, mine.blocks);
+  addScatterers(places.task, mine.blocks, stores_[static_cast<std::size_t>(kParts * piece + own)]);
+  if (!(layout_.effect.fragmentsPerCm3 > 0.0)) return;
+  findBlocks(layout_, places.fragments, motion_, places.level.grid.dims, piece, part, mine.shifts, mine.blocks);
+  surfaces_.addFragments(places.level, places.fragments, mine.blocks, reachedFrom(layout_, piece), fine_.data(), fineStride_);
+}
+
+LiveEchoes::Rows LiveEchoes::rowsAbout(int line, int tile) const {
+  const int reach = layout_.reachOfTile[static_cast<std::size_t>(tile)], row = layout_.rowPadding + line * layout_.rowsPerLine;
+  return {row - reach, std::max(row - reach, row - layout_.rowsPerLine + reach + 1)};
+}
+
+/// Lines in as many parts as there are threads, each part tile after tile.
+void LiveEchoes::filter(Bands& bands) {
+  const int lines = static_cast<int>(layout_.grid.lines.size()), parts = std::min(bands.threads(), lines);
+  bands.runEach(parts * layout_.tiles, [&](int n, int) { filterTile(n % layout_.tiles, n / layout_.tiles, parts); });
+  if (parts == 1) return;
+  // What two parts asked is empty for the next frame when both are done.
+  bands.runEach(layout_.tiles, [&](int tile, int) {
+    const LateralTask lateral = lateralOf(tile);
+    for (int part = 1; part < parts; ++part) {
+      const Rows about = rowsAbout(lines * part / parts, tile);
+      for (int row = about.begin; row < about.end; ++row) std::fill_n(lateral.tile + row * lateral.stride, lateral.cleared, 0);
+    }
+  });
+}
+
+LateralTask LiveEchoes::lateralOf(int tile) {
   const std::ptrdiff_t firstValue = std::ptrdiff_t{2} * tile * kTileColumns;
   LateralTask lateral;
   lateral.tile = fine_.data() + firstValue;
   lateral.stride = fineStride_;
-  lateral.rows = layout_.rows;
   lateral.width = 2 * kTileColumns;
   lateral.cleared = static_cast<int>(tile + 1 == layout_.tiles ? fineStride_ - firstValue : lateral.width);
   lateral.unit = static_cast<float>(kDepositUnit);
@@ -121,9 +142,18 @@ void LiveEchoes::filterTile(int tile) {
   lateral.reach = layout_.reachOfTile[static_cast<std::size_t>(tile)];
   lateral.firstRow = layout_.rowPadding;
   lateral.rowsPerLine = layout_.rowsPerLine;
-  lateral.lines = static_cast<int>(layout_.grid.lines.size());
   lateral.out = field_.data() + firstValue;
   lateral.outStride = stride_;
+  return lateral;
+}
+
+void LiveEchoes::filterTile(int tile, int part, int parts) {
+  const int lines = static_cast<int>(layout_.grid.lines.size());
+  LateralTask lateral = lateralOf(tile);
+  lateral.beginLine = lines * part / parts;
+  lateral.endLine = lines * (part + 1) / parts;
+  lateral.beginCleared = part == 0 ? 0 : rowsAbout(lateral.beginLine, tile).end;
+  lateral.endCleared = part + 1 == parts ? layout_.rows : rowsAbout(lateral.endLine, tile).begin;
   filterLaterally(lateral);
 }
 

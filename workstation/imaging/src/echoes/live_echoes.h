@@ -13,6 +13,7 @@
 #include "ew/imaging/bands.h"
 #include "ew/imaging/beam_grid.h"
 #include "ew/imaging/slice_source.h"
+#include "line_kernels.h"
 #include "scatterers.h"
 #include "speckle_reduction.h"
 
@@ -47,6 +48,12 @@ class LiveEchoes {
   void takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> echoes);
 
  private:
+  /// Where scatterers and fragments of a frame lie.
+  struct ScatterPlaces {
+    EchoPlace scatterers, fragments;
+    const SliceSource& level;
+    ScatterTask task;
+  };
   struct Scratch {
     std::vector<ScatterBlock> blocks;
     BlockShifts shifts;
@@ -54,7 +61,16 @@ class LiveEchoes {
     std::vector<float> line, levels, gains;
   };
   [[nodiscard]] float* lineAt(int line) { return field_.data() + static_cast<std::ptrdiff_t>(line) * stride_; }
-  void filterTile(int tile);
+  void addPiece(const ScatterPlaces& places, int piece, PartOfPiece part, int slot);
+  void filter(Bands& bands);
+  void filterTile(int tile, int part, int parts);
+  /// Without its lines.
+  [[nodiscard]] LateralTask lateralOf(int tile);
+  /// Rows that lines on both sides of a border ask: of the last lines before `line` and of the first from there on.
+  struct Rows {
+    int begin = 0, end = 0;
+  };
+  [[nodiscard]] Rows rowsAbout(int line, int tile) const;
   void addHaze(int line, std::span<float> out);
   void layHaze(double haze_db);
 

@@ -174,6 +174,13 @@ ScatterTask scatterTaskOf(const EchoLayout& layout, const EchoPlace& place, cons
   return task;
 }
 
+DepthRange reachedFrom(const EchoLayout& layout, int piece) {
+  constexpr double kReached_mm = 0.5 * kPiece_mm - 1.0;  // what is added is shared by two columns
+  constexpr double kEverything_mm = 1e6;
+  return {piece == 0 ? -kEverything_mm : piece * kPiece_mm - kReached_mm,
+          piece + 1 == piecesOf(layout) ? kEverything_mm : (piece + 1) * kPiece_mm + kReached_mm};
+}
+
 int piecesOf(const EchoLayout& layout) { return std::max(1, static_cast<int>(layout.depth_mm / kPiece_mm)); }
 
 namespace {
@@ -261,7 +268,8 @@ void findBlocks(const EchoLayout& layout, const EchoPlace& place, const EchoMoti
   const Piece piece = pieceOf(layout, size, number);
   const bool moves = motion.movesFrom(piece.nearest_mm);
   // Two rows off the middle one, where they are widest.
-  const double aside_mm = size.radius_mm + 2.0 * layout.rowSpacing_mm(std::min(piece.farthest_mm, layout.depth_mm) + kPiece_mm);
+  const double aside_mm =
+      size.radius_mm + place.beside_mm + 2.0 * layout.rowSpacing_mm(std::min(piece.farthest_mm, layout.depth_mm) + kPiece_mm);
   // Where what is seen rests.
   Box whole{piece.lowest_mm, piece.highest_mm}, own = narrowTo(part, aside_mm, aside_mm + (moves ? mostStretch_mm : 0.0), whole);
   glm::dvec3 stretched_mm(0.0);

@@ -88,6 +88,7 @@ struct EchoPlace {
   glm::dmat4 cellToProbe{1.0};
   glm::dmat4 probeToCell{1.0};
   glm::dvec3 voxelsPerCell{1.0};
+  double beside_mm = 0.0;  ///< how far beside a block what it adds may lie
 };
 [[nodiscard]] EchoPlace echoPlaceOf(double pitch_mm, const Grid& grid, const Transform<frame::Voxel, frame::Probe>& probeToVoxel);
 
@@ -96,6 +97,12 @@ struct EchoPlace {
 /// The slab that the beams see is cut across them into pieces. A block belongs to the piece in which its middle lies, so that each is met
 /// once; what two pieces that are not neighbours add to the field does not overlap.
 [[nodiscard]] int piecesOf(const EchoLayout& layout);
+struct DepthRange {
+  double near_mm = 0.0, far_mm = 0.0;
+  [[nodiscard]] bool has(double depth_mm) const { return depth_mm >= near_mm && depth_mm < far_mm; }
+};
+/// To which a piece may add.
+[[nodiscard]] DepthRange reachedFrom(const EchoLayout& layout, int piece);
 /// Of a piece: its blocks to the left and to the right of the fan's middle have no row in common, those between have some with either.
 enum class PartOfPiece { all, left, right, between };
 /// Whether pieces have such sides: not where lines are steered.

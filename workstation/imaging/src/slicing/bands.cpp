@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <thread>
 
@@ -17,6 +18,13 @@ namespace {
 // Bands a thread: rows near the middle of a fan are longer, and other programs take processors away, so that equal shares end late.
 constexpr int kBandsPerThread = 4;
 constexpr int kFewestRows = 8;  // below, starting a task costs more than its rows
+constexpr int kMostShares = 32;
+
+/// Items in a row that one thread begins with. A line of memory each.
+struct alignas(64) Share {
+  std::atomic<int> next{0};
+  int end = 0;
+};
 
 }  // namespace
 
@@ -48,12 +56,22 @@ void Bands::runEachErased(int items, void* work, Erased call) {
     for (int item = 0; item < items; ++item) call(work, item, 1, 0);
     return;
   }
-  // Whoever is ready takes the next: nobody waits for a thread that is still waking, or whose processor is taken away.
-  std::atomic<int> next{0};
+  // A thread begins with a share of its own, the same from call to call, and goes on with those of others: nobody waits for a thread that
+  // is still waking, or whose processor is taken away.
+  const int takers = std::min(threads_, items), shareCount = std::min(takers, kMostShares);
+  std::array<Share, kMostShares> shares;
+  const auto firstOf = [&](int share) { return static_cast<int>(static_cast<long long>(items) * share / shareCount); };
+  for (int n = 0; n < shareCount; ++n) {
+    Share& share = shares[static_cast<std::size_t>(n)];
+    share.next.store(firstOf(n), std::memory_order_relaxed);
+    share.end = firstOf(n + 1);
+  }
   const auto takeItems = [&](int slot) {
-    for (int item = next++; item < items; item = next++) call(work, item, 1, slot);
+    for (int n = 0; n < shareCount; ++n) {
+      Share& share = shares[static_cast<std::size_t>((slot + n) % shareCount)];
+      for (int item = share.next++; item < share.end; item = share.next++) call(work, item, 1, slot);
+    }
   };
-  const int takers = std::min(threads_, items);
 #ifdef __SANITIZE_THREAD__
   // oneTBB is built without the sanitizer, which would not see how a thread is handed its band.
   callOnThreads(takers, threads_, takeItems);

@@ -28,8 +28,9 @@ class Bands {
     runErased(rows, const_cast<void*>(static_cast<const void*>(std::addressof(work))),
               [](void* erased, int firstRow, int rowCount, int slot) { (*static_cast<Plain*>(erased))(firstRow, rowCount, slot); });
   }
-  /// Calls work(item, slot) once for each of 0 .. items - 1, one by one and in this order: for a few that are as much work as many rows,
-  /// the heaviest first.
+  /// Calls work(item, slot) once for each of 0 .. items - 1, one by one, with one thread in this order. Of several threads each begins with
+  /// a share of neighbouring items, slot after slot, and goes on with what is left of the others': what lies in the same place of the
+  /// items of several calls stays in one processor's caches. Within a share the heaviest come first.
   template <class Work>
   void runEach(int items, Work&& work) {
     using Plain = std::remove_reference_t<Work>;
