@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
 #include "ew/imaging/cost_of_accuracy.h"
 #include "ew/imaging/frame.h"
@@ -147,6 +151,63 @@ TEST(EchoQuality, FormsTheSameGrainAtEveryPrice) {
   EXPECT_GT(correlation(usual, levelsOf(maps, scene, Quality::cubic)), 0.97);
   scene.liveEchoes->scatterersPerCell = 10.0;  // other scatterers: another grain
   EXPECT_LT(correlation(usual, levelsOf(maps, scene, Quality::linear)), 0.3);
+}
+
+/// Of the brightest row, mean over its columns, in dB.
+double brightestRow_db(const TissueMaps& maps, Quality quality) {
+  const auto levels = levelsOf(maps, liveScene(), quality);
+  constexpr std::size_t kColumns = 80;
+  double brightest = 0.0;
+  for (std::size_t row = 0; row < levels.size(); row += kColumns)
+    brightest = std::max(brightest, std::accumulate(&levels[row], &levels[row] + kColumns, 0.0) / kColumns);
+  return brightest / testing::live::kGreyPerDb;
+}
+
+TEST(EchoQuality, ShowsASurfaceThatLeansOutOfTheSliceAsBrightAtEveryPrice) {
+  for (const double lean_deg : {0.0, 10.0, 20.0, 30.0}) {
+    const double lean_rad = lean_deg * std::numbers::pi / 180.0;
+    std::array<double, 3> mean_db{};
+    // Between two samples a line is a little fainter: at several depths.
+    for (const double depth_mm : {24.8, 24.93, 25.06, 25.19}) {
+      TissueMaps maps = evenTissue();
+      std::fill(maps.level.begin(), maps.level.end(), std::uint8_t{0});
+      testing::live::addSurface(maps, {.name = "plane", .echoLevel = 200.0, .rough_db = -3.0, .roughFall_deg = 60.0},
+                                [&](const glm::dvec3& p) { return (depth_mm - p.y) * std::cos(lean_rad) + p.z * std::sin(lean_rad); });
+      for (std::size_t n = 0; n < mean_db.size(); ++n) mean_db[n] += 0.25 * brightestRow_db(maps, kRising[n]);
+    }
+    EXPECT_GT(mean_db[1], 20.0) << lean_deg << " degrees";
+    EXPECT_NEAR(mean_db[0], mean_db[1], 1.0) << lean_deg << " degrees";
+    EXPECT_NEAR(mean_db[2], mean_db[1], 1.0) << lean_deg << " degrees";
+  }
+}
+
+TEST(EchoQuality, LosesAsMuchAtEveryPrice) {
+  const TissueMaps maps = evenTissue();
+  Volume labels;
+  labels.grid = maps.grid;
+  labels.echo.assign(maps.level.size(), 1);
+  Scene scene = liveScene();
+  scene.attenuation = AttenuationEffect{};
+  scene.attenuation->expected_dbPerCmMhz = 0.5;
+  scene.tissues = {{.label = 1, .name = "muscle", .attenuation_dbPerCmMhz = 0.9}};
+  const auto levelOf_db = [&](Quality quality) {
+    FrameMaker maker;
+    Knobs knobs;
+    knobs.quality = quality;
+    knobs.greyMap = GreyMap::linear;
+    maker.configure(probeOf(ProbeKind::linear), knobs, scene, maps.grid, 200, 200, true, {}, true);
+    FrameInput input = inputOf(maps);
+    input.labels = labels.view();
+    const DisplayImage image = maker.make(input);
+    double sum = 0.0;
+    for (int y = 100; y < 160; ++y)
+      for (int x = 60; x < 140; ++x) sum += image.grey.at(x, y);
+    return sum / (60.0 * 80.0) / testing::live::kGreyPerDb;
+  };
+  const double usual_db = levelOf_db(Quality::linear);
+  EXPECT_GT(usual_db, 5.0);
+  EXPECT_NEAR(levelOf_db(Quality::weave), usual_db, 0.4);
+  EXPECT_NEAR(levelOf_db(Quality::cubic), usual_db, 0.4);
 }
 
 TEST(EchoQuality, ShowsTheLevelsOnBeamsThatTheImageIsMadeOf) {

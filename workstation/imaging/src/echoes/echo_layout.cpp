@@ -136,6 +136,7 @@ EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoes
   layout.face.steering_rad = 0.0;
   layout.depth_mm = layout.grid.depth_mm(layout.grid.samples - 1);
   layout.effect = effect;
+  layout.planes = echoPlanesOf(knobs.quality);
   layRows(layout);
   layout.pitch_mm = echoPitch_mm(beams, layout.depth_mm, effect.scatterersPerCell);
   layLateral(layout);

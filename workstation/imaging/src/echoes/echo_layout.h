@@ -29,6 +29,7 @@ struct EchoLayout {
   FanShape face;  ///< the same without any steering: how the face presses
   double depth_mm = 0.0;
   LiveEchoesEffect effect;
+  int planes = 3;         ///< of the slice in which losses and surfaces are followed: three, or the middle alone
   double pitch_mm = 0.8;  ///< of the lattice that has one scatterer in each cell
 
   int rowsPerLine = 2;
@@ -57,6 +58,9 @@ struct EchoLayout {
 /// Pitch of the lattice of scatterers: as few as the smallest resolution cell needs with the usual focus, so that who turns the focus sees
 /// the same scatterers.
 [[nodiscard]] double echoPitch_mm(const EchoBeams& beams, double depth_mm, double scatterersPerCell);
+
+/// EchoLayout::planes at the price that a quality names.
+[[nodiscard]] inline int echoPlanesOf(Quality quality) { return quality == Quality::weave ? 1 : 3; }
 
 /// @param grid made with echoSpacing_mm and this look
 [[nodiscard]] EchoLayout echoLayoutOf(const Probe& probe, const Knobs& knobs, const LiveEchoesEffect& effect, const EchoBeams& beams,

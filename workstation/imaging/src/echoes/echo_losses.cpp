@@ -17,6 +17,7 @@ constexpr float kSkinStep_mm = 0.2F;
 
 void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const Scene& scene, double carrier_hz) {
   layout_ = &layout;
+  planes_ = layout.planes;
   lines_ = static_cast<int>(layout.grid.lines.size());
   steps_ = std::max(2, static_cast<int>(std::ceil(layout.depth_mm / kStep_mm)) + 1);
   step_mm_ = layout.depth_mm / (steps_ - 1);
@@ -39,9 +40,7 @@ void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const S
   for (int s = 0; s < steps_; ++s) elevation_mm_.push_back(static_cast<float>(layout.beams.elevationalSigma_mm(s * step_mm_)));
   rays_.configure(layout, probe, steps_, step_mm_);
   const auto samples = static_cast<std::size_t>(lines_) * static_cast<std::size_t>(steps_);
-  own_db_.resize(kPlanes * samples);
-  reflection_.resize(kPlanes * samples);
-  gains_.resize(kPlanes * samples);
+  for (std::vector<float>* ofPlanes : {&own_db_, &reflection_, &gains_}) ofPlanes->resize(static_cast<std::size_t>(planes_) * samples);
   skin_mm_.resize(static_cast<std::size_t>(lines_));
   for (March& march : marches_)
     for (std::vector<float>* ofLines : {&march.waiting_db, &march.loss_log2, &march.reflection_log2, &march.met_db, &march.since_mm})
@@ -76,10 +75,11 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
   const glm::vec3 aside(m[2]);
   const auto ahead_mm = static_cast<float>(2.0 * step_mm_);
   if (motion.moves())
-    for (std::size_t p = 0; p < kPlanes; ++p) motion.rowsOf(static_cast<double>(kAside[p]), glm::mat3(m), bands, back_[p]);
+    for (std::size_t p = 0; p < static_cast<std::size_t>(planes_); ++p)
+      motion.rowsOf(static_cast<double>(kAside[p]), glm::mat3(m), bands, back_[p]);
   findSkin(level, glm::mat4(probeToLevel.matrix * glm::inverse(m)), motion);
   bands.run(steps_, [&](int firstStep, int count, int) {
-    for (int p = 0; p < kPlanes; ++p)
+    for (int p = 0; p < planes_; ++p)
       for (int s = firstStep; s < firstStep + count; ++s) {
         // Halfway to the step before, where its loss lies.
         const auto depth_mm = static_cast<float>(std::max(s - 0.5, 0.0) * step_mm_);
@@ -98,9 +98,10 @@ void EchoLosses::walk(const SliceSource& labels, const Transform<frame::Voxel, f
         }
       }
   });
-  bands.runEach(kPlanes, [&](int plane, int) { march(plane); });
+  bands.runEach(planes_, [&](int plane, int) { march(plane); });
+  if (planes_ == 1) return;
   bands.run(steps_, [&](int firstStep, int count, int) {
-    for (int p = 1; p < kPlanes; ++p) {
+    for (int p = 1; p < planes_; ++p) {
       float* sum = gains_.data() + indexOf(0, firstStep);
       std::transform(sum, sum + static_cast<std::ptrdiff_t>(count) * lines_, gains_.data() + indexOf(p, firstStep), sum, std::plus());
     }
@@ -134,7 +135,8 @@ void EchoLosses::march(int plane) {
     }
     float* gain = gains_.data() + indexOf(plane, s);
     std::fill_n(gain, lines_, 0.0F);
-    rays_.pass(s, {at.loss_log2.data(), at.reflection_log2.data()}, most_, kWeights[static_cast<std::size_t>(plane)], at.rays, gain);
+    rays_.pass(s, {at.loss_log2.data(), at.reflection_log2.data()}, most_, planes_ == 1 ? 1.0F : kWeights[static_cast<std::size_t>(plane)],
+               at.rays, gain);
   }
 }
 

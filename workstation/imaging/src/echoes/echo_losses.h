@@ -14,8 +14,8 @@
 namespace ew::detail {
 
 /// What echoes lose on their way, from the labels of the tissue: attenuation beyond what the machine expects, reflections, the shadows they
-/// throw and the enhancement behind fluid. Labels are blended between voxels; three planes of the slice are walked, and each place is seen
-/// from all of the aperture (EchoRays). In a step of a line, both ways, dB,
+/// throw and the enhancement behind fluid. Labels are blended between voxels; three planes of the slice are walked, or its middle alone,
+/// and each place is seen from all of the aperture (EchoRays). In a step of a line, both ways, dB,
 ///   loss = 2 (a - expected) f dz + reflections that were entered
 ///   gain = mean over the planes of left^2
 /// A reflection comes in behind its surface, over a wavelength (1/e), so that the surface's own echo stays bright. A line that leaves what
@@ -33,7 +33,7 @@ class EchoLosses {
   [[nodiscard]] GainSteps gainOf(int line, std::vector<float>& ofSteps) const;
 
  private:
-  static constexpr int kPlanes = 3;
+  static constexpr int kPlanes = 3;  ///< at most
   static constexpr std::array<float, kPlanes> kWeights{0.5F, 0.25F, 0.25F};
   static constexpr std::array<float, kPlanes> kAside{0.0F, -0.75F, 0.75F};  ///< standard deviations of the elevational beam
 
@@ -46,6 +46,7 @@ class EchoLosses {
   void march(int plane);
 
   const EchoLayout* layout_ = nullptr;
+  int planes_ = kPlanes;
   int lines_ = 0;
   int steps_ = 0;
   double step_mm_ = 0.5;

@@ -13,12 +13,12 @@ namespace {
 
 /// What is multiplied into the settings, and where they end. Chosen with `echoweave bench echoes`
 /// (resources/docs/science/log/measurements.md). Scatterers a cell are no part of it: they decide the lattice, another one is another grain
-/// everywhere.
+/// everywhere. Nor are planes (echoPlanesOf in echo_layout.h), which are no setting.
 struct Price {
   double samplesPerPulse = 1.0;
   double reach = 1.0;
 };
-constexpr Price kFast{2.0 / 3.0, 0.8}, kFine{4.0 / 3.0, 1.25};
+constexpr Price kFast{0.5, 0.7}, kFine{4.0 / 3.0, 1.25};
 
 double scaled(double value, double by, double lowest, double highest) { return std::clamp(value * by, lowest, highest); }
 

@@ -95,8 +95,11 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
                        Bands& bands, std::int32_t* fine, std::ptrdiff_t stride) {
   const glm::mat4 toVoxel(probeToVoxel.matrix);
   static_assert(kRays.size() == std::tuple_size_v<decltype(back_)>);
+  // In one plane what lies beside it is told by the surface's slope.
+  const bool isFlat = layout_->planes == 1;
+  const std::size_t rays = isFlat ? 1 : kRays.size();
   if (motion.moves())
-    for (std::size_t ray = 0; ray < kRays.size(); ++ray)
+    for (std::size_t ray = 0; ray < rays; ++ray)
       motion.rowsOf(static_cast<double>(kRays[ray].sigmas), glm::mat3(toVoxel), bands, back_[ray]);
   const auto lines = static_cast<int>(layout_->grid.lines.size());
   ways_.resize(layout_->grid.lines.size());
@@ -113,6 +116,9 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
       .spacing_mm = glm::vec3(maps.grid.spacing_mm),
       .slopeToProbe = glm::mat3(glm::transpose(glm::dmat3(probeToVoxel.matrix)) / TissueMaps::kDistanceStepsPerMm),
       .lines = lines_,
+      .sideSigmas = isFlat ? kRays[2].sigmas : 0.0F,
+      .sideShare = isFlat ? kRays[2].weight : 0.0F,
+      .sigma_mm = elevation_mm_.data(),
       .rowsPerLine = layout_->rowsPerLine,
       .rowPadding = layout_->rowPadding,
       .rows = layout_->rows,
@@ -129,7 +135,7 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
   scratch_.resize(static_cast<std::size_t>(bands.threads()));
   bands.runEach((lines + kSideBySide - 1) / kSideBySide, [&](int group, int slot) {
     const int first = group * kSideBySide;
-    for (std::size_t n = 0; n < kRays.size(); ++n) {
+    for (std::size_t n = 0; n < rays; ++n) {
       const SurfaceWalk walk{.ways = ways_,
                              .aside_voxel = glm::vec3(toVoxel[2]),
                              .sigmas = kRays[n].sigmas,
@@ -139,7 +145,7 @@ void EchoSurfaces::add(const TissueMaps& maps, const Transform<frame::Voxel, fra
                              .depth_mm = static_cast<float>(layout_->depth_mm),
                              .blind_mm = blind_mm};
       SurfaceEchoTask own = echoes;
-      own.weight = kRays[n].weight;
+      own.weight = isFlat ? 1.0F : kRays[n].weight;
       addLines(first, std::min(kSideBySide, lines - first), walk, toVoxel, motion, own, scratch_[static_cast<std::size_t>(slot)]);
     }
   });

@@ -94,8 +94,11 @@ void LiveEchoes::scatter(const TissueMaps& maps, std::uint64_t version, const Gr
       });
   }
   for (const int odd : {0, 1})
-    bands.runEach((pieces + 1 - odd) / 2,
-                  [&](int n, int slot) { addPiece(places, pieceOf(odd, n), isHalved ? PartOfPiece::between : PartOfPiece::all, slot); });
+    bands.runEach((pieces + 1 - odd) / 2, [&](int n, int slot) {
+      // A deep one and a shallow one in turn, so that shares are alike.
+      const int last = (pieces + 1 - odd) / 2 - 1, turned = n % 2 == 0 ? n / 2 : last - n / 2;
+      addPiece(places, pieceOf(odd, turned), isHalved ? PartOfPiece::between : PartOfPiece::all, slot);
+    });
   if (!maps.surfaces.empty() && !maps.surfaceDistance.empty()) surfaces_.add(maps, probeToVoxel, motion_, bands, fine_.data(), fineStride_);
   filter(bands);
 }

@@ -135,10 +135,11 @@ HWY_INLINE F fallen(const std::vector<float>& fall, I surface, F sine2) {
 /// One sheet of a surface, in every row of its lines.
 struct Sheet {
   F range_mm;
-  F lean;  ///< mm along the line, for a mm across: neighbouring rows meet the surface a little earlier or later
+  F side_mm;  ///< how much farther it is met on one side of the slice, nearer on the other
+  F lean;     ///< mm along the line, for a mm across: neighbouring rows meet the surface a little earlier or later
   F mirror, rough;
 };
-HWY_INLINE void addSheet(const SurfaceEchoTask& task, I line, hn::Mask<DI> isSeen, const Sheet& sheet, Pending& pending) {
+HWY_INLINE void addRows(const SurfaceEchoTask& task, I line, hn::Mask<DI> isSeen, const Sheet& sheet, F weight, Pending& pending) {
   const D d;
   const DI di;
   const auto firstRow = hn::Add(hn::Mul(line, hn::Set(di, task.rowsPerLine)), hn::Set(di, task.rowPadding - task.rowsPerLine / 2));
@@ -154,10 +155,23 @@ HWY_INLINE void addSheet(const SurfaceEchoTask& task, I line, hn::Mask<DI> isSee
     if (added == 0) continue;
     const auto insideColumn = hn::IfThenElseZero(hn::RebindMask(d, inside), column);
     const auto whole = hn::ConvertTo(di, insideColumn);
-    const auto scale = hn::GatherIndex(d, task.scale, whole);
+    const auto scale = times(hn::GatherIndex(d, task.scale, whole), weight);
     const auto cell = hn::ShiftLeft<1>(hn::Add(hn::Mul(row, hn::Set(di, task.stride / 2)), whole));
     deposit(d, task.field, added, cell, hn::Sub(insideColumn, hn::ConvertTo(d, whole)),
             hn::Min(times(sheet.mirror, scale), set(kMostDeposit)), hn::Min(times(sheet.rough, scale), set(kMostDeposit)), pending);
+  }
+}
+
+HWY_INLINE void addSheet(const SurfaceEchoTask& task, I line, hn::Mask<DI> isSeen, const Sheet& sheet, Pending& pending) {
+  // A tenth of a column is none.
+  const auto isAside = hn::Gt(times(hn::Abs(sheet.side_mm), set(task.columnsPerMm)), set(0.1F));
+  addRows(task, line, isSeen, sheet, hn::IfThenElse(isAside, set(1.0F - 2.0F * task.sideShare), set(1.0F)), pending);
+  const auto isMetAside = hn::And(isSeen, hn::RebindMask(DI(), isAside));
+  if (hn::AllFalse(DI(), isMetAside)) return;
+  for (const float side : {-1.0F, 1.0F}) {
+    Sheet aside = sheet;
+    aside.range_mm = plus(sheet.range_mm, times(set(side), sheet.side_mm));
+    addRows(task, line, isMetAside, aside, set(task.sideShare), pending);
   }
 }
 
@@ -199,10 +213,17 @@ void addCrossings(const SurfaceEchoTask& task, const SurfaceCrossings& met, std:
   };
   const auto mirror = times(strengthOf(task.strengths.mirror), fallen(task.strengths.mirrorFall, known, sine2));
   const auto rough = times(strengthOf(task.strengths.rough), fallen(task.strengths.roughFall, known, sine2));
-  const auto lean = hn::Div(hn::Neg(across), hn::CopySign(hn::Max(hn::Abs(down), set(0.2F)), down));
+  const auto steepest = hn::CopySign(hn::Max(hn::Abs(down), set(0.2F)), down);
+  const auto lean = hn::Div(hn::Neg(across), steepest), range_mm = hn::LoadU(d, met.range_mm.data() + first);
+  auto side_mm = hn::Zero(d);
+  if (task.sideSigmas > 0.0F) {
+    const auto isMet = hn::RebindMask(d, isSeen);
+    const auto sigma_mm = hn::GatherIndex(d, task.sigma_mm, hn::ConvertTo(di, hn::IfThenElseZero(isMet, range_mm)));
+    side_mm = times(times(hn::Div(slope[2], steepest), sigma_mm), set(task.sideSigmas));
+  }
 
   // What is rough is in quadrature and coherent along the surface too: of random signs it was a string of beads.
-  Sheet sheet{hn::LoadU(d, met.range_mm.data() + first), hn::Min(hn::Max(lean, set(-3.0F)), set(3.0F)), mirror, rough};
+  Sheet sheet{range_mm, side_mm, hn::Min(hn::Max(lean, set(-3.0F)), set(3.0F)), mirror, rough};
   // What lies behind it, as the beam goes.
   const auto gap_mm = hn::Div(times(entering, hn::GatherIndex(d, task.strengths.sheetGap_mm.data(), known)), hn::Max(cosine, set(0.3F)));
   const auto sheets = hn::GatherIndex(di, task.strengths.sheets.data(), known);

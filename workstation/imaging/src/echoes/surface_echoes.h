@@ -43,6 +43,11 @@ struct SurfaceEchoTask {
   glm::mat3 slopeToProbe;               ///< takes a slope over voxels to one over mm of the probe frame
   const std::vector<glm::vec4>& lines;  ///< origin and direction
   float weight = 1.0F;
+  /// Where the middle of the slice alone is walked, each crossing stands for three: as far as the surface is flat it is met this far beside
+  /// the middle too, `sideShare` of its strength on either side.
+  float sideSigmas = 0.0F;  ///< standard deviations of the elevational beam; 0: it stands for itself
+  float sideShare = 0.0F;
+  const float* sigma_mm = nullptr;  ///< by whole mm of depth
 
   int rowsPerLine = 1, rowPadding = 0, rows = 0;
   float spacingAtFace_mm = 0.0F, spacingPerMm = 0.0F;  ///< of rows

@@ -61,7 +61,7 @@ void BeamPath::configure(const Plan& plan, const Probe& probe, const Knobs& knob
   isLive_ = has(StepKind::scatterers);
   if (isLive_) {
     const EchoBeams beams = echoBeamsOf(probe, knobs_, scene, geometry.depth_mm);
-    if (liveFrom_.changesTo(probe, beams, scene, grid_, knobs.steering_rad, knobs.trapezoid, look_rad))
+    if (liveFrom_.changesTo(probe, beams, scene, grid_, knobs.steering_rad, knobs.trapezoid, look_rad, echoPlanesOf(knobs.quality)))
       live_.configure(probe, knobs_, scene, beams, grid_, look_rad);
   }
   if (has(StepKind::ownGrain)) {

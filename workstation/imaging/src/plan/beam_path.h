@@ -104,7 +104,7 @@ class BeamPath {
   ChangeDetector<BeamGrid, BeamGainSetting> gainFrom_;
   TissueLosses losses_;
   LiveEchoes live_;
-  ChangeDetector<Probe, EchoBeams, Scene, BeamGrid, double, bool, double> liveFrom_;
+  ChangeDetector<Probe, EchoBeams, Scene, BeamGrid, double, bool, double, int> liveFrom_;
   bool isLive_ = false;
   bool hasField_ = false;   ///< live echoes whose envelope was not taken yet
   bool hasLabels_ = false;  ///< of the frame in work
