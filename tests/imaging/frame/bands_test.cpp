@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <numeric>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace ew::bands_test {
@@ -78,6 +80,53 @@ TEST(Bands, LeaveWhatItemsAndRowsWroteToWhoeverAsksNext) {
       });
     }
     EXPECT_EQ(std::accumulate(bySlot.begin(), bySlot.end(), 0), 40 * kItems + (40 * 41 / 2) * (kItems * (kItems - 1) / 2)) << threads;
+  }
+}
+
+/// In plain memory, as above.
+TEST(Bands, StayReadyForOneStepAfterAnotherOfAFrame) {
+  constexpr int kItems = 41, kSteps = 9, kFrames = 60;
+  for (const int threads : {1, 2, 3}) {
+    Bands bands(threads);
+    std::vector<int> from(kItems, 1), to(kItems);
+    std::vector<std::atomic<int>> inUse(static_cast<std::size_t>(threads));
+    std::atomic<int> clashes = 0;
+    int serial = 0;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      const auto caller = std::this_thread::get_id();
+      bands.together([&] {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        for (int step = 0; step < kSteps; ++step) {
+          bands.runEach(kItems, [&](int item, int slot) {
+            if (inUse.at(static_cast<std::size_t>(slot))++ != 0) ++clashes;
+            // What others wrote a step before.
+            to[static_cast<std::size_t>(item)] = (from[static_cast<std::size_t>((item + 1) % kItems)] + item) % 1000;
+            --inUse.at(static_cast<std::size_t>(slot));
+          });
+          std::swap(from, to);
+          serial += from[0];
+        }
+      });
+      // Also without staying.
+      bands.run(kItems, [&](int first, int count, int) {
+        for (int item = first; item < first + count; ++item) to[static_cast<std::size_t>(item)] = from[static_cast<std::size_t>(item)] ^ 1;
+      });
+      std::swap(from, to);
+    }
+    std::vector<int> expectedFrom(kItems, 1), expectedTo(kItems);
+    int expectedSerial = 0;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      for (int step = 0; step < kSteps; ++step) {
+        for (int item = 0; item < kItems; ++item)
+          expectedTo[static_cast<std::size_t>(item)] = (expectedFrom[static_cast<std::size_t>((item + 1) % kItems)] + item) % 1000;
+        std::swap(expectedFrom, expectedTo);
+        expectedSerial += expectedFrom[0];
+      }
+      for (int& number : expectedFrom) number ^= 1;
+    }
+    EXPECT_EQ(from, expectedFrom) << threads;
+    EXPECT_EQ(serial, expectedSerial) << threads;
+    EXPECT_EQ(clashes, 0) << threads;
   }
 }
 

@@ -60,6 +60,7 @@ struct FrameMaker::Parts {
  private:
   void makeGreyTables(bool hasStrip);
   void layCompound(const Probe& probe, double spacing_mm);
+  void runTimed(StepKind kind, const FrameInput& input);
   void run(StepKind kind, const FrameInput& input);
   void runOnBeams(StepKind kind, const FrameInput& input, detail::BeamPath& beams);
   void compound(const FrameInput& input);
@@ -263,18 +264,23 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   const bool isLifted = scene_.contact && input.gaps_mm.size() >= 2 && beams_.findContact(input.gaps_mm);
   const Plan& plan = isLifted ? lifted_ : touching_;
   if (plan_ != plan) plan_ = plan;  // configure made room for the longer one
-  for (const Step& step : plan.steps) {
-    const auto start = Clock::now();
-    run(step.kind, input);
-    times_.push_back({step.kind, since_us(start)});
-    if (step.kind == StepKind::zoomStretch) {
-      // The stretch is interleaved with the sampling, which told its share.
-      StepTime& sampling = times_[times_.size() - 2];
-      times_.back().measured_us = sampling.measured_us * (1.0 - zoomSamplingShare_);
-      sampling.measured_us *= zoomSamplingShare_;
-    }
-  }
+  const auto runAll = [&] {
+    for (const Step& step : plan.steps) runTimed(step.kind, input);
+  };
+  // Of live echoes a frame is many steps, and each would wake the other threads anew.
+  formsEchoes(scene_) ? bands_.together(runAll) : runAll();
   return viewOf(std::as_const(*image_));
+}
+
+void FrameMaker::Parts::runTimed(StepKind kind, const FrameInput& input) {
+  const auto start = Clock::now();
+  run(kind, input);
+  times_.push_back({kind, since_us(start)});
+  if (kind != StepKind::zoomStretch) return;
+  // The stretch is interleaved with the sampling, which told its share.
+  StepTime& sampling = times_[times_.size() - 2];
+  times_.back().measured_us = sampling.measured_us * (1.0 - zoomSamplingShare_);
+  sampling.measured_us *= zoomSamplingShare_;
 }
 
 void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {

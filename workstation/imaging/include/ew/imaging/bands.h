@@ -38,11 +38,22 @@ class Bands {
                   [](void* erased, int item, int, int slot) { (*static_cast<Plain*>(erased))(item, slot); });
   }
 
+  /// Calls frame() on this thread, for the time of which the other threads stay ready: what it runs needs nobody to be woken. They take
+  /// processors meanwhile, so its parts between two runs are short.
+  /// @param frame does not throw; nobody else runs anything on these bands meanwhile
+  template <class Frame>
+  void together(Frame&& frame) {
+    using Plain = std::remove_reference_t<Frame>;
+    togetherErased(const_cast<void*>(static_cast<const void*>(std::addressof(frame))),
+                   [](void* erased, int, int, int) { (*static_cast<Plain*>(erased))(); });
+  }
+
  private:
   struct Arena;
   using Erased = void (*)(void* work, int firstRow, int rowCount, int slot);
   void runErased(int rows, void* work, Erased call);
   void runEachErased(int items, void* work, Erased call);
+  void togetherErased(void* frame, Erased call);
   int threads_ = 1;
   std::unique_ptr<Arena> arena_;  ///< none with one thread
 };
