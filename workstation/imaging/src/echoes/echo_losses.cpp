@@ -7,7 +7,7 @@
 namespace ew::detail {
 namespace {
 
-constexpr double kStep_mm = 0.7;
+constexpr double kStep_mm = 0.7, kFastStep_mm = 1.0;
 constexpr double kLongestRelease_mm = 0.8;
 constexpr float kSameThing_mm = 3.0F;
 constexpr float kMostGel_mm = 4.0F;  // beyond it there is air, which takes away the contact
@@ -19,7 +19,7 @@ void EchoLosses::configure(const EchoLayout& layout, const Probe& probe, const S
   layout_ = &layout;
   planes_ = layout.planes;
   lines_ = static_cast<int>(layout.grid.lines.size());
-  steps_ = std::max(2, static_cast<int>(std::ceil(layout.depth_mm / kStep_mm)) + 1);
+  steps_ = std::max(2, static_cast<int>(std::ceil(layout.depth_mm / (planes_ == 1 ? kFastStep_mm : kStep_mm))) + 1);
   step_mm_ = layout.depth_mm / (steps_ - 1);
   const AttenuationEffect effect = scene.attenuation.value_or(AttenuationEffect{});
   most_ = static_cast<float>(std::pow(10.0, effect.largestEnhancement_db / 40.0));

@@ -18,7 +18,7 @@ struct Price {
   double samplesPerPulse = 1.0;
   double reach = 1.0;
 };
-constexpr Price kFast{0.5, 0.7}, kFine{4.0 / 3.0, 1.25};
+constexpr Price kFast{2.0 / 3.0, 0.65}, kFine{4.0 / 3.0, 1.25};
 
 double scaled(double value, double by, double lowest, double highest) { return std::clamp(value * by, lowest, highest); }
 

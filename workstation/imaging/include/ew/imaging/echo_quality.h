@@ -9,8 +9,8 @@ namespace ew {
 /// Live echoes at the price that the console's quality names. What a machine shows (looks, pulse, aperture, gain) stays as asked, and so
 /// does the lattice of scatterers: every quality forms the same grain, more or less exactly, so that none appears or goes when the quality
 /// falls while the probe moves. What changes is the work:
-///   Quality::weave   fast: half of the samples along a pulse, a slice that ends at 0.7 of its reach, losses and surfaces followed in its
-///                    middle plane alone, of surfaces with what their slope says of the planes beside it
+///   Quality::weave   fast: two thirds of the samples along a pulse, a slice that ends at 0.65 of its reach; losses and surfaces are
+///                    followed in its middle plane alone, with what the slope of a surface says of the planes beside it
 ///   Quality::linear  as asked, unchanged; three planes
 ///   Quality::cubic   fine: 4/3 of the samples, 5/4 of the reach; three planes
 /// resources/docs/science/log/measurements.md, "Live echoes", says what each costs and how far it is from the forward model.
