@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kLateralReach = 3.0;  // standard deviations of the lateral beam
 constexpr double kRowsPerSigma = 2.0;  // of the fine grid, at the narrowest place of the beam
-constexpr int kMostPadding = 64;       // rows beside the fan
-constexpr double kCoarsest_mm = 0.5;   // the lattice is this times a power of the root of two: probes of nearly the same resolution, and
-                                       // neighbouring settings, see the same scatterers
+constexpr double kFastRowsPerSigma = 1.4;
+constexpr int kMostPadding = 64;      // rows beside the fan
+constexpr double kCoarsest_mm = 0.5;  // the lattice is this times a power of the root of two: probes of nearly the same resolution, and
+                                      // neighbouring settings, see the same scatterers
 
 void layRows(EchoLayout& layout) {
   const auto lines = static_cast<int>(layout.grid.lines.size());
@@ -22,7 +23,7 @@ void layRows(EchoLayout& layout) {
     const double depth_mm = layout.grid.depth_mm(s);
     finest = std::min(finest, layout.beams.lateralSigma_mm(depth_mm) / std::max(layout.grid.lineSpacing_mm(depth_mm), 1e-3));
   }
-  layout.rowsPerLine = std::clamp(static_cast<int>(std::ceil(kRowsPerSigma / finest)), 1, 8);
+  layout.rowsPerLine = std::clamp(static_cast<int>(std::ceil((layout.planes == 1 ? kFastRowsPerSigma : kRowsPerSigma) / finest)), 1, 8);
   double widest = 1.0;
   for (int s = 0; s < layout.grid.samples; ++s) {
     const double depth_mm = layout.grid.depth_mm(s);

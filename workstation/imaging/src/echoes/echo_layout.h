@@ -59,7 +59,7 @@ struct EchoLayout {
 /// the same scatterers.
 [[nodiscard]] double echoPitch_mm(const EchoBeams& beams, double depth_mm, double scatterersPerCell);
 
-/// EchoLayout::planes at the price that a quality names.
+/// EchoLayout::planes at the price that a quality names. With one, steps of losses and rows of the fine grid are wider too.
 [[nodiscard]] inline int echoPlanesOf(Quality quality) { return quality == Quality::weave ? 1 : 3; }
 
 /// @param grid made with echoSpacing_mm and this look
