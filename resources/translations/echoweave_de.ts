@@ -2955,6 +2955,10 @@
         <translation>Mischen</translation>
     </message>
     <message>
+        <source>Building what the image shows</source>
+        <translation>Was das Bild zeigt, wird erzeugt</translation>
+    </message>
+    <message>
         <source>Building the virtual patient</source>
         <translation>Der virtuelle Patient wird erzeugt</translation>
     </message>

@@ -4,6 +4,7 @@
 #include <array>
 #include <bitset>
 #include <cmath>
+#include <utility>
 
 #include "echoes/echo_levels.h"
 #include "ew/core/contract.h"
@@ -215,10 +216,16 @@ class Spreading {
   Spreading(TissueMaps& maps, const std::vector<std::uint8_t>& numbers) : maps_(maps), numbers_(numbers), grid_(maps.grid) {
     spacing_ = grid_.spacing_mm.x;
     halo_ = static_cast<int>(std::ceil(TissueMaps::kSurfaceReach_mm / spacing_));
-    row_ = static_cast<std::size_t>(grid_.dims.x) + 2;
-    slice_ = row_ * (static_cast<std::size_t>(grid_.dims.y) + 2);
     farthest_ = static_cast<float>(TissueMaps::kSurfaceReach_mm + 2.0 * spacing_);
     farthest_ *= farthest_;
+    // Step by step, so that a voxel lies at the same place to the last bit wherever its row is entered.
+    const auto step = static_cast<float>(spacing_);
+    fromFirst_mm_.resize(static_cast<std::size_t>(grid_.dims.x));
+    fromLast_mm_ = fromFirst_mm_;
+    float there = 0.0F;
+    for (float& each : fromFirst_mm_) each = std::exchange(there, there + step);
+    there = step * static_cast<float>(grid_.dims.x - 1);
+    for (std::size_t n = fromLast_mm_.size(); n-- > 0;) fromLast_mm_[n] = std::exchange(there, there - step);
   }
   [[nodiscard]] int halo() const { return halo_; }
 
@@ -227,9 +234,8 @@ class Spreading {
   void fill(int firstSlice, int lastSlice, const std::vector<const SurfaceFoot*>& feet, const Stopped& stopped) {
     begin_ = std::max(0, firstSlice - halo_);
     end_ = std::min(grid_.dims.z, lastSlice + halo_);
-    nearest_.assign(slice_ * static_cast<std::size_t>(end_ - begin_ + 2), 0);
     known_.assign(1, {});
-    hasFeet_.assign(static_cast<std::size_t>((end_ - begin_ + 2) * (grid_.dims.y + 2)), 0);
+    if (!layRoom(feet)) return;
     for (const SurfaceFoot* foot : feet) {
       const std::uint8_t number = numbers_[foot->key];
       if (number == 0) continue;
@@ -238,13 +244,12 @@ class Spreading {
       rowHasFeet(foot->voxel.y, foot->voxel.z - begin_) = 1;
       known_.push_back({at - foot->distance_mm * foot->normal, foot->normal, number});
     }
-    if (known_.size() == 1) return;
     for (int k = 0; k < end_ - begin_; ++k)
-      for (int j = 0; j < grid_.dims.y && !stopped(); ++j) spreadRow(j, k, +1);
+      for (int j = low_.y; j < high_.y && !stopped(); ++j) spreadRow(j, k, +1);
     for (int k = end_ - begin_ - 1; k >= 0; --k)
-      for (int j = grid_.dims.y - 1; j >= 0 && !stopped(); --j) spreadRow(j, k, -1);
+      for (int j = high_.y - 1; j >= low_.y && !stopped(); --j) spreadRow(j, k, -1);
     for (int k = firstSlice; k < lastSlice; ++k)
-      for (int j = 0; j < grid_.dims.y && !stopped(); ++j) keepRow(j, k);
+      for (int j = low_.y; j < high_.y && !stopped(); ++j) keepRow(j, k);
   }
 
  private:
@@ -253,11 +258,36 @@ class Spreading {
     glm::vec3 normal;
     std::uint8_t number = 0;
   };
+
+  /// Only as far as feet are spread: a few of them leave most of a slice alone. @return false: there are none
+  [[nodiscard]] bool layRoom(const std::vector<const SurfaceFoot*>& feet) {
+    low_ = glm::ivec2(grid_.dims);
+    high_ = glm::ivec2(0);
+    for (const SurfaceFoot* foot : feet) {
+      if (numbers_[foot->key] == 0) continue;
+      low_ = glm::min(low_, glm::ivec2(foot->voxel));
+      high_ = glm::max(high_, glm::ivec2(foot->voxel) + 1);
+    }
+    if (glm::any(glm::greaterThanEqual(low_, high_))) return false;
+    const int reach = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(farthest_)) / spacing_)) + 1;
+    low_ = glm::max(low_ - reach, glm::ivec2(0));
+    high_ = glm::min(high_ + reach, glm::ivec2(grid_.dims));
+    row_ = static_cast<std::size_t>(high_.x - low_.x) + 2;
+    slice_ = row_ * (static_cast<std::size_t>(high_.y - low_.y) + 2);
+    const auto slices = static_cast<std::size_t>(end_ - begin_ + 2);
+    nearest_.assign(slice_ * slices, 0);
+    hasFeet_.assign(slices * static_cast<std::size_t>(high_.y - low_.y + 2), 0);
+    return true;
+  }
+
   /// With a margin of one voxel without feet all round.
   [[nodiscard]] std::size_t indexOf(int i, int j, int k) const {
-    return static_cast<std::size_t>(k + 1) * slice_ + static_cast<std::size_t>(j + 1) * row_ + static_cast<std::size_t>(i + 1);
+    return static_cast<std::size_t>(k + 1) * slice_ + static_cast<std::size_t>(j - low_.y + 1) * row_ +
+           static_cast<std::size_t>(i - low_.x + 1);
   }
-  [[nodiscard]] std::uint8_t& rowHasFeet(int j, int k) { return hasFeet_[static_cast<std::size_t>((k + 1) * (grid_.dims.y + 2) + j + 1)]; }
+  [[nodiscard]] std::uint8_t& rowHasFeet(int j, int k) {
+    return hasFeet_[static_cast<std::size_t>((k + 1) * (high_.y - low_.y + 2) + j - low_.y + 1)];
+  }
 
   /// @param way +1: asks those that come before, from the first; -1: those that come after, from the last
   void spreadRow(int j, int k, int way) {
@@ -273,12 +303,13 @@ class Spreading {
     }
     if (!any) return;
     asked[count++] = -way;
-    const int first = way > 0 ? 0 : grid_.dims.x - 1;
+    const int first = way > 0 ? low_.x : high_.x - 1;
     std::uint32_t* cell = nearest_.data() + indexOf(first, j, k);
-    const auto spacing = static_cast<float>(spacing_);
-    glm::vec3 p = spacing * glm::vec3(first, j, k);
+    const std::vector<float>& across_mm = way > 0 ? fromFirst_mm_ : fromLast_mm_;
+    glm::vec3 p = static_cast<float>(spacing_) * glm::vec3(0, j, k);
     bool found = false;
-    for (int n = 0; n < grid_.dims.x; ++n, cell += way, p.x += static_cast<float>(way) * spacing) {
+    for (int i = first; i >= low_.x && i < high_.x; i += way, cell += way) {
+      p.x = across_mm[static_cast<std::size_t>(i)];
       std::uint32_t best = *cell;
       float least = best != 0 ? squared(p - known_[best].place) : farthest_;
       for (std::size_t m = 0; m < count; ++m) {
@@ -299,10 +330,10 @@ class Spreading {
 
   void keepRow(int j, int k) {
     if (rowHasFeet(j, k - begin_) == 0) return;
-    const std::uint32_t* cell = nearest_.data() + indexOf(0, j, k - begin_);
-    for (int i = 0; i < grid_.dims.x; ++i) {
-      if (cell[i] == 0) continue;
-      const Known& foot = known_[cell[i]];
+    const std::uint32_t* cell = nearest_.data() + indexOf(low_.x, j, k - begin_);
+    for (int i = low_.x; i < high_.x; ++i, ++cell) {
+      if (*cell == 0) continue;
+      const Known& foot = known_[*cell];
       const glm::vec3 to = static_cast<float>(spacing_) * glm::vec3(i, j, k - begin_) - foot.place;
       const float distance = glm::dot(to, foot.normal);
       if (std::abs(distance) > static_cast<float>(TissueMaps::kSurfaceReach_mm)) continue;
@@ -322,6 +353,8 @@ class Spreading {
   const Grid& grid_;
   double spacing_ = 1.0;
   int halo_ = 0;
+  std::vector<float> fromFirst_mm_, fromLast_mm_;  ///< of voxels along a row, as they are met from either end
+  glm::ivec2 low_{0}, high_{0};                    ///< voxels of a slice that feet may reach
   std::size_t row_ = 0, slice_ = 0;
   float farthest_ = 0.0F;
   int begin_ = 0, end_ = 0;             ///< slices at hand

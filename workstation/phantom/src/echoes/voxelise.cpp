@@ -7,9 +7,9 @@
 
 #include "echoes/echo_levels.h"
 #include "echoes/reflecting_surfaces.h"
-#include "ew/core/figures.h"
+#include "echoes/tissue_painter.h"
+#include "echoes/voxelise_problems.h"
 #include "ew/core/large_pages.h"
-#include "ew/core/numbers.h"
 #include "ew/core/parallel.h"
 #include "ew/phantom/speckle.h"
 #include "ew/phantom/voxel_pieces.h"
@@ -20,11 +20,8 @@ namespace {
 
 using phantom::Organ;
 
-constexpr int kBlock = 8;
+constexpr int kBlock = phantom::kPaintedBlock;
 constexpr int kStrip = 48;  // rows of a piece of work: small enough to be cancelled within 0.1 s, large enough for the speckle's margin
-// As in sampleDistance: how far a first-order distance may exceed the true one before a block is wrongly left out.
-constexpr double kReserve = 1.5;
-constexpr double kWithinVoxel = 0.9;                // half a voxel's diagonal is 0.87
 constexpr double kLevelsPerDecibel = 255.0 / 60.0;  // 60 dB of dynamic range over the grey scale
 constexpr double kMeanDecibel = -2.507;             // of the power of speckle: 10 log10(e^-gamma)
 constexpr double kDeepestNull_db = -18.0;           // speckle nulls go to -infinity dB; a screen shows none below this
@@ -38,46 +35,27 @@ struct Look {
   double speckle = 0.0;
   double borderLevel = 0.0;
   double borderWeight = 0.0;
-  int label = 0;
 };
 
 class Painter {
  public:
-  Painter(const Patient& patient, const VoxeliseOptions& options)
-      : patient_(patient), options_(options), asked_mm_(phantom::SurfaceFinder::asked_mm(kWithinVoxel * options.spacing_mm)) {}
+  Painter(const Patient& patient, const VoxeliseOptions& options) : patient_(patient), options_(options) {}
 
-  /// Organs that can matter within `radius_mm` of a point, by priority.
-  void select(const glm::dvec3& centre_mm, double radius_mm, std::vector<const Organ*>& near) const {
-    near.clear();
-    for (const Organ& organ : patient_.organs) {
-      const double margin = std::max(organ.border ? organ.border->width_mm : 0.0, options_.spacing_mm);
-      if (organ.shape->atLeast_mm(centre_mm) > radius_mm + margin) continue;
-      const double far_mm = kReserve * (radius_mm + margin), d = organ.shape->distanceUpTo_mm(centre_mm, far_mm);
-      if (d >= far_mm) continue;
-      near.push_back(&organ);
-      if (d < -kReserve * (radius_mm + margin)) break;  // whatever comes later is hidden by this one
-    }
-  }
-
-  /// @param distances_mm becomes those of the organs that are not hidden here, exact where anything asks for them (distanceUpTo_mm)
-  [[nodiscard]] Look at(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
-                        std::vector<double>& distances_mm) const {
+  /// @param near, distances_mm as OrganFinder has them
+  [[nodiscard]] Look lookAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
+                            const std::vector<double>& distances_mm, phantom::TextureAlong& textures) const {
     Look look;
-    distances_mm.clear();
     double remaining = 1.0;
-    for (const Organ* organ : near) {
-      const double d = organ->shape->distanceUpTo_mm(p_mm, organ->border ? std::max(asked_mm_, organ->border->width_mm) : asked_mm_);
-      distances_mm.push_back(d);
-      if (organ->border) addBorder(*organ, p_mm, d, remaining, look);
-      if (d < 0.0 && look.label == 0) look.label = static_cast<int>(organ - patient_.organs.data()) + 1;
-      // The part of the voxel that the organ fills, so that edges are not stairs.
-      const double part = std::clamp(0.5 - d / options_.spacing_mm, 0.0, 1.0);
+    for (std::size_t n = 0; n < distances_mm.size(); ++n) {
+      const Organ& organ = *near[n];
+      if (organ.border) addBorder(organ, p_mm, distances_mm[n], remaining, look);
+      const double part = phantom::partInside(distances_mm[n], options_.spacing_mm);
       if (part <= 0.0) continue;
-      addTissue(patient_.tissues[organ->tissue], organ->tissue, p_mm, skin_mm, remaining * part, look);
+      addTissue(patient_.tissues[organ.tissue], organ.tissue, p_mm, skin_mm, remaining * part, textures, look);
       remaining *= 1.0 - part;
-      if (remaining < 1e-3) return look;
+      if (remaining < phantom::kNothingLeft) return look;
     }
-    addTissue(patient_.tissues[patient_.backgroundTissue], patient_.backgroundTissue, p_mm, skin_mm, remaining, look);
+    addTissue(patient_.tissues[patient_.backgroundTissue], patient_.backgroundTissue, p_mm, skin_mm, remaining, textures, look);
     return look;
   }
 
@@ -93,11 +71,13 @@ class Painter {
   }
 
  private:
-  void addTissue(const Tissue& tissue, std::size_t number, const glm::dvec3& p_mm, double skin_mm, double weight, Look& look) const {
+  void addTissue(const Tissue& tissue, std::size_t number, const glm::dvec3& p_mm, double skin_mm, double weight,
+                 phantom::TextureAlong& textures, Look& look) const {
     double level = tissue.echoLevel;
     if (tissue.texture.level > 0.0) {
       const glm::dvec3 place(p_mm.x, tissue.texture.followsTheSkin ? skin_mm : p_mm.y, p_mm.z);
-      level += tissue.texture.level * valueNoise(options_.seed + kTextureSeed * (number + 1), place / tissue.texture.scale_mm);
+      level +=
+          tissue.texture.level * textures.coarseOf(number).at(options_.seed + kTextureSeed * (number + 1), place / tissue.texture.scale_mm);
     }
     look.level += weight * level;
     look.speckle += weight * tissue.speckle;
@@ -130,68 +110,7 @@ class Painter {
 
   const Patient& patient_;
   const VoxeliseOptions& options_;
-  double asked_mm_;  ///< farther away no distance matters to levels and surfaces, beside a border
 };
-
-/// The tissue itself, as TissueMaps keeps it.
-class MapPainter {
- public:
-  MapPainter(const Patient& patient, double spacing_mm)
-      : patient_(patient), spacing_mm_(spacing_mm), surfaces_(patient, kWithinVoxel * spacing_mm) {}
-
-  /// How much of a voxel lies inside the skin.
-  [[nodiscard]] double bodyPart(double skin_mm) const { return std::clamp(0.5 - skin_mm / spacing_mm_, 0.0, 1.0); }
-
-  /// Mean level of a voxel; what it shares with another tissue or with the air adds up as power.
-  [[nodiscard]] std::uint8_t levelAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
-                                     const std::vector<double>& distances_mm) const {
-    double remaining = bodyPart(skin_mm), power = 0.0;
-    if (const std::optional<std::size_t> only = onlyTissue(remaining, near, distances_mm)) {
-      const Tissue& tissue = patient_.tissues[*only];
-      if (!(tissue.speckle > 0.0)) return 0;
-      return static_cast<std::uint8_t>(std::clamp(phantom::tissueLevelAt(tissue, *only, p_mm, skin_mm) + 0.5, 0.0, 255.0));
-    }
-    const auto add = [&](std::size_t number, double weight) {
-      const Tissue& tissue = patient_.tissues[number];
-      if (tissue.speckle > 0.0) power += weight * power_.of(phantom::tissueLevelAt(tissue, number, p_mm, skin_mm));
-    };
-    for (std::size_t n = 0; n < distances_mm.size() && remaining >= 1e-3; ++n) {
-      const double part = std::clamp(0.5 - distances_mm[n] / spacing_mm_, 0.0, 1.0);
-      if (part <= 0.0) continue;
-      add(near[n]->tissue, remaining * part);
-      remaining *= 1.0 - part;
-    }
-    if (remaining >= 1e-3) add(patient_.backgroundTissue, remaining);
-    return static_cast<std::uint8_t>(power_.level(power));
-  }
-  [[nodiscard]] const phantom::SurfaceFinder& surfaces() const { return surfaces_; }
-
- private:
-  /// The tissue of a voxel that holds one alone.
-  [[nodiscard]] std::optional<std::size_t> onlyTissue(double bodyPart, const std::vector<const Organ*>& near,
-                                                      const std::vector<double>& distances_mm) const {
-    if (bodyPart < 1.0) return std::nullopt;
-    for (std::size_t n = 0; n < distances_mm.size(); ++n) {
-      if (distances_mm[n] >= 0.5 * spacing_mm_) continue;
-      return distances_mm[n] <= -0.5 * spacing_mm_ ? std::optional(near[n]->tissue) : std::nullopt;
-    }
-    return patient_.backgroundTissue;
-  }
-
-  const Patient& patient_;
-  double spacing_mm_;
-  phantom::PowerOfLevel power_;
-  phantom::SurfaceFinder surfaces_;
-};
-
-tl::unexpected<Error> stoppedByUser() { return failure(ErrorCode::cancelled, say<"Building the virtual patient was stopped.">()); }
-
-tl::unexpected<Error> tooLargeAt(const VoxeliseOptions& options, double forecast_bytes) {
-  return failure(ErrorCode::tooLarge,
-                 say<"This patient at %1 mm needs %2 of memory, %3 are allowed; choose a coarser spacing.">(
-                     textOf(options.spacing_mm), mebibytesText(forecast_bytes), mebibytesText(static_cast<double>(options.maxBytes))),
-                 {{"forecast_bytes", textOf(forecast_bytes)}});
-}
 
 /// Fills a volume piece by piece: strips of a slab, cut into blocks for which only the organs nearby are asked.
 class VolumePainter {
@@ -202,9 +121,9 @@ class VolumePainter {
         progress_(progress),
         made_(made),
         grid_(made.volume.grid),
+        finder_(patient, options.spacing_mm),
         painter_(patient, options),
         maps_(patient, options.spacing_mm),
-        radius_mm_(0.5 * std::sqrt(3.0) * (kBlock - 1) * options.spacing_mm),
         strips_((grid_.dims.y + kStrip - 1) / kStrip) {
     if (made.maps) feetOfPiece_.resize(static_cast<std::size_t>(pieces()));
   }
@@ -242,6 +161,7 @@ class VolumePainter {
   struct Around {
     std::vector<const Organ*> near{};
     std::vector<double> distances_mm{};
+    phantom::TextureAlong textures;
     std::vector<phantom::SurfaceFoot> feet{};  ///< of the piece
   };
   void paintBlock(const glm::ivec3& first, const Strip& strip, Around& around);
@@ -253,12 +173,12 @@ class VolumePainter {
   const Progress& progress_;
   VoxelPatient& made_;
   const Grid& grid_;
+  phantom::OrganFinder finder_;
   Painter painter_;
-  MapPainter maps_;
+  phantom::TissuePainter maps_;
   std::vector<std::vector<phantom::SurfaceFoot>> feetOfPiece_{};
   Decibel decibel_;
-  double radius_mm_;  ///< of a block
-  int strips_;        ///< of a slab
+  int strips_;  ///< of a slab
   std::atomic<bool> stopped_{false};
   std::atomic<bool> outOfMemory_{false};
 };
@@ -329,7 +249,7 @@ std::vector<int> VolumePainter::missingPieces() {
 
 void VolumePainter::paintPiece(int piece) {
   Strip strip = stripOf(piece);
-  Around around;
+  Around around{.textures = phantom::TextureAlong(patient_.tissues.size())};
   try {
     SpeckleScratch scratch;
     specklePower(options_.seed, strip.first, strip.size, scratch, strip.power);
@@ -351,8 +271,8 @@ void VolumePainter::paintPiece(int piece) {
 void VolumePainter::paintBlock(const glm::ivec3& first, const Strip& strip, Around& around) {
   const glm::ivec3 last = glm::min(first + kBlock, grid_.dims);
   const glm::dvec3 centre = grid_.origin_mm + options_.spacing_mm * (glm::dvec3(first) + 0.5 * (kBlock - 1));
-  if (patient_.skin->distance_mm(centre) > kReserve * (radius_mm_ + (made_.maps ? 0.5 * options_.spacing_mm : 0.0))) return;
-  painter_.select(centre, radius_mm_, around.near);
+  if (finder_.isOutside(centre, made_.maps.has_value())) return;
+  finder_.select(centre, around.near);
   for (int k = first.z; k < last.z; ++k) {
     for (int j = first.y; j < last.y; ++j) {
       if (stopped_) return;
@@ -367,18 +287,20 @@ void VolumePainter::paintRow(int begin, int end, int j, int k, const float* spec
     const glm::dvec3 p = grid_.origin_mm + options_.spacing_mm * glm::dvec3(i, j, k);
     const double skin = patient_.skin->distance_mm(p);
     if (skin >= 0.0 && !(made_.maps && maps_.bodyPart(skin) > 0.0)) continue;
-    const Look look = painter_.at(p, skin, around.near, around.distances_mm);
+    const int label = finder_.distancesAt(p, around.near, around.distances_mm);
     if (made_.maps) map({i, j, k}, p, skin, around);
     if (skin >= 0.0) continue;
     const std::size_t at = grid_.indexOf(i, j, k);
+    const Look look = painter_.lookAt(p, skin, around.near, around.distances_mm, around.textures);
     made_.volume.echo[at] = painter_.greyOf(look, static_cast<double>(decibel_.of(*speckle)), p);
     made_.volume.coverage[at] = static_cast<std::uint8_t>(Coverage::measured);
-    made_.labels[at] = static_cast<std::uint8_t>(look.label);
+    made_.labels[at] = static_cast<std::uint8_t>(label);
   }
 }
 
 void VolumePainter::map(const glm::ivec3& voxel, const glm::dvec3& p_mm, double skin_mm, Around& around) {
-  made_.maps->level[grid_.indexOf(voxel.x, voxel.y, voxel.z)] = maps_.levelAt(p_mm, skin_mm, around.near, around.distances_mm);
+  made_.maps->level[grid_.indexOf(voxel.x, voxel.y, voxel.z)] =
+      maps_.levelAt(p_mm, skin_mm, around.near, around.distances_mm, around.textures);
   auto foot = maps_.surfaces().nearest(p_mm, skin_mm, around.near, around.distances_mm);
   if (!foot) return;
   foot->voxel = voxel;
@@ -387,16 +309,7 @@ void VolumePainter::map(const glm::ivec3& voxel, const glm::dvec3& p_mm, double 
 
 }  // namespace
 
-Grid voxelGridOf(const Patient& patient, double spacing_mm) {
-  Grid grid;
-  grid.spacing_mm = glm::dvec3(spacing_mm);
-  grid.origin_mm = patient.box.lowest_mm;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double steps = std::floor((patient.box.highest_mm[axis] - patient.box.lowest_mm[axis]) / spacing_mm + 1e-9);
-    grid.dims[axis] = static_cast<int>(std::min(steps, 1e6)) + 1;
-  }
-  return grid;
-}
+Grid voxelGridOf(const Patient& patient, double spacing_mm) { return phantom::voxelGridOver(patient.box, spacing_mm); }
 
 double voxeliseForecast_bytes(const Patient& patient, double spacing_mm, bool maps) {
   const Grid grid = voxelGridOf(patient, spacing_mm);
@@ -408,11 +321,10 @@ double voxeliseForecast_bytes(const Patient& patient, double spacing_mm, bool ma
 }
 
 Result<VoxelPatient> voxelise(const Patient& patient, const VoxeliseOptions& options, Progress& progress) {
-  if (!(options.spacing_mm >= 0.01 && options.spacing_mm <= 1000.0))
-    return failure(ErrorCode::badField, say<"The voxel spacing is %1 mm; choose one from 0.01 to 1000 mm.">(textOf(options.spacing_mm)),
-                   {{"field", "spacing_mm"}});
+  if (auto usable = phantom::checkVoxelSpacing(options.spacing_mm); !usable) return passOn(usable.error());
   const double forecast = voxeliseForecast_bytes(patient, options.spacing_mm, options.maps);
-  if (forecast > static_cast<double>(options.maxBytes)) return tooLargeAt(options, forecast);
+  const auto tooLarge = [&] { return phantom::tooLargeAt(options.spacing_mm, options.maxBytes, forecast); };
+  if (forecast > static_cast<double>(options.maxBytes)) return tooLarge();
 
   VoxelPatient made;
   Volume& volume = made.volume;
@@ -423,20 +335,20 @@ Result<VoxelPatient> voxelise(const Patient& patient, const VoxeliseOptions& opt
     std::vector<std::vector<std::uint8_t>*> taken{&volume.echo, &volume.coverage, &made.labels};
     if (made.maps) taken.insert(taken.end(), {&made.maps->level, &made.maps->surfaceDistance, &made.maps->surfaceKind});
     for (std::vector<std::uint8_t>* values : taken)
-      if (!growInLargePages(*values, volume.grid.voxelCount(), progress)) return stoppedByUser();
+      if (!growInLargePages(*values, volume.grid.voxelCount(), progress)) return phantom::stoppedByUser();
 
     VolumePainter painter(patient, options, progress, made);
     PartOfProgress painting(progress, 0.0, made.maps ? 0.9 : 1.0), spreading(progress, 0.9, 1.0);
     const std::vector<int> missing = painter.missingPieces();
     const bool finished = forEachTask(static_cast<int>(missing.size()), options.threads, painting, say<"Building the virtual patient">(),
                                       [&](int n) { painter.paintPiece(missing[static_cast<std::size_t>(n)]); });
-    if (painter.outOfMemory()) return tooLargeAt(options, forecast);
-    if (!finished || painter.stopped()) return stoppedByUser();
-    if (made.maps && !painter.spread(spreading)) return stoppedByUser();
+    if (painter.outOfMemory()) return tooLarge();
+    if (!finished || painter.stopped()) return phantom::stoppedByUser();
+    if (made.maps && !painter.spread(spreading)) return phantom::stoppedByUser();
   } catch (const std::bad_alloc&) {
-    return tooLargeAt(options, forecast);
+    return tooLarge();
   } catch (const std::length_error&) {
-    return tooLargeAt(options, forecast);
+    return tooLarge();
   }
   return made;
 }

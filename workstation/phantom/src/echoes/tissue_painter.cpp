@@ -1,0 +1,98 @@
+#include "echoes/tissue_painter.h"
+
+#include <cmath>
+
+namespace ew::phantom {
+namespace {
+
+// As in sampleDistance: how far a first-order distance may exceed the true one before a block is wrongly left out.
+constexpr double kReserve = 1.5;
+constexpr double kWithinVoxel = 0.9;  // half a voxel's diagonal is 0.87
+
+}  // namespace
+
+Grid voxelGridOver(const Bounds& box, double spacing_mm) {
+  Grid grid;
+  grid.spacing_mm = glm::dvec3(spacing_mm);
+  grid.origin_mm = box.lowest_mm;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double steps = std::floor((box.highest_mm[axis] - box.lowest_mm[axis]) / spacing_mm + 1e-9);
+    grid.dims[axis] = static_cast<int>(std::min(steps, 1e6)) + 1;
+  }
+  return grid;
+}
+
+double blockRadius_mm(double spacing_mm) { return 0.5 * std::sqrt(3.0) * (kPaintedBlock - 1) * spacing_mm; }
+
+OrganFinder::OrganFinder(const Patient& patient, double spacing_mm)
+    : patient_(patient),
+      spacing_mm_(spacing_mm),
+      radius_mm_(blockRadius_mm(spacing_mm)),
+      asked_mm_(SurfaceFinder::asked_mm(kWithinVoxel * spacing_mm)) {}
+
+bool OrganFinder::isOutside(const glm::dvec3& centre_mm, bool asksForPart) const {
+  return patient_.skin->distance_mm(centre_mm) > kReserve * (radius_mm_ + (asksForPart ? 0.5 * spacing_mm_ : 0.0));
+}
+
+void OrganFinder::select(const glm::dvec3& centre_mm, std::vector<const Organ*>& near) const {
+  near.clear();
+  for (const Organ& organ : patient_.organs) {
+    const double margin = std::max(organ.border ? organ.border->width_mm : 0.0, spacing_mm_);
+    if (organ.shape->atLeast_mm(centre_mm) > radius_mm_ + margin) continue;
+    const double far_mm = kReserve * (radius_mm_ + margin), d = organ.shape->distanceUpTo_mm(centre_mm, far_mm);
+    if (d >= far_mm) continue;
+    near.push_back(&organ);
+    if (d < -kReserve * (radius_mm_ + margin)) break;  // whatever comes later is hidden by this one
+  }
+}
+
+int OrganFinder::distancesAt(const glm::dvec3& p_mm, const std::vector<const Organ*>& near, std::vector<double>& distances_mm) const {
+  distances_mm.clear();
+  int label = 0;
+  double remaining = 1.0;
+  for (const Organ* organ : near) {
+    const double d = organ->shape->distanceUpTo_mm(p_mm, organ->border ? std::max(asked_mm_, organ->border->width_mm) : asked_mm_);
+    distances_mm.push_back(d);
+    if (d < 0.0 && label == 0) label = static_cast<int>(organ - patient_.organs.data()) + 1;
+    remaining *= 1.0 - partInside(d, spacing_mm_);
+    if (remaining < kNothingLeft) break;
+  }
+  return label;
+}
+
+TissuePainter::TissuePainter(const Patient& patient, double spacing_mm)
+    : patient_(patient), spacing_mm_(spacing_mm), surfaces_(patient, kWithinVoxel * spacing_mm) {}
+
+std::uint8_t TissuePainter::levelAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
+                                    const std::vector<double>& distances_mm, TextureAlong& textures) const {
+  double remaining = bodyPart(skin_mm), power = 0.0;
+  if (const std::optional<std::size_t> only = onlyTissue(remaining, near, distances_mm)) {
+    const Tissue& tissue = patient_.tissues[*only];
+    if (!(tissue.speckle > 0.0)) return 0;
+    return static_cast<std::uint8_t>(std::clamp(textures.levelAt(tissue, *only, p_mm, skin_mm) + 0.5, 0.0, 255.0));
+  }
+  const auto add = [&](std::size_t number, double weight) {
+    const Tissue& tissue = patient_.tissues[number];
+    if (tissue.speckle > 0.0) power += weight * power_.of(textures.levelAt(tissue, number, p_mm, skin_mm));
+  };
+  for (std::size_t n = 0; n < distances_mm.size() && remaining >= kNothingLeft; ++n) {
+    const double part = partInside(distances_mm[n], spacing_mm_);
+    if (part <= 0.0) continue;
+    add(near[n]->tissue, remaining * part);
+    remaining *= 1.0 - part;
+  }
+  if (remaining >= kNothingLeft) add(patient_.backgroundTissue, remaining);
+  return static_cast<std::uint8_t>(power_.level(power));
+}
+
+std::optional<std::size_t> TissuePainter::onlyTissue(double bodyPart, const std::vector<const Organ*>& near,
+                                                     const std::vector<double>& distances_mm) const {
+  if (bodyPart < 1.0) return std::nullopt;
+  for (std::size_t n = 0; n < distances_mm.size(); ++n) {
+    if (distances_mm[n] >= 0.5 * spacing_mm_) continue;
+    return distances_mm[n] <= -0.5 * spacing_mm_ ? std::optional(near[n]->tissue) : std::nullopt;
+  }
+  return patient_.backgroundTissue;
+}
+
+}  // namespace ew::phantom

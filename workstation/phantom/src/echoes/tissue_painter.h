@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "echoes/echo_levels.h"
+#include "echoes/reflecting_surfaces.h"
+#include "patient/anatomy.h"
+
+namespace ew::phantom {
+
+/// The grid of a patient's voxels, from the box that they fill.
+[[nodiscard]] Grid voxelGridOver(const Bounds& box, double spacing_mm);
+
+/// Voxels along each side of a block that asks only for the organs around it.
+inline constexpr int kPaintedBlock = 8;
+/// From the middle of a block to the farthest of its voxels' middles.
+[[nodiscard]] double blockRadius_mm(double spacing_mm);
+
+/// What of a voxel's tissue may stay unknown.
+inline constexpr double kNothingLeft = 1e-3;
+/// The part of a voxel that lies inside a surface at a signed distance from its middle, so that edges are not stairs.
+[[nodiscard]] inline double partInside(double distance_mm, double spacing_mm) {
+  return std::clamp(0.5 - distance_mm / spacing_mm, 0.0, 1.0);
+}
+
+/// Which organs there are around blocks and voxels.
+class OrganFinder {
+ public:
+  OrganFinder(const Patient& patient, double spacing_mm);
+
+  /// Whether no voxel of a block about this point lies in the body.
+  /// @param asksForPart whether voxels count of which only a part lies in it
+  [[nodiscard]] bool isOutside(const glm::dvec3& centre_mm, bool asksForPart) const;
+  /// Organs that can matter to a block about this point, by priority.
+  void select(const glm::dvec3& centre_mm, std::vector<const Organ*>& near) const;
+  /// @param distances_mm becomes those of the organs that are not hidden here, exact where anything asks for them (distanceUpTo_mm)
+  /// @return the label of the point: 0 outside all of them
+  [[nodiscard]] int distancesAt(const glm::dvec3& p_mm, const std::vector<const Organ*>& near, std::vector<double>& distances_mm) const;
+
+ private:
+  const Patient& patient_;
+  double spacing_mm_;
+  double radius_mm_;  ///< of a block
+  double asked_mm_;   ///< farther away no distance matters to levels and surfaces, beside a border
+};
+
+/// The tissue itself, as TissueMaps keeps it.
+class TissuePainter {
+ public:
+  TissuePainter(const Patient& patient, double spacing_mm);
+
+  /// How much of a voxel lies inside the skin.
+  [[nodiscard]] double bodyPart(double skin_mm) const { return partInside(skin_mm, spacing_mm_); }
+
+  /// Mean level of a voxel; what it shares with another tissue or with the air adds up as power.
+  /// @param near, distances_mm as OrganFinder has them
+  /// @param textures of all tissues, kept from voxel to voxel
+  [[nodiscard]] std::uint8_t levelAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
+                                     const std::vector<double>& distances_mm, TextureAlong& textures) const;
+  [[nodiscard]] const SurfaceFinder& surfaces() const { return surfaces_; }
+
+ private:
+  /// The tissue of a voxel that holds one alone.
+  [[nodiscard]] std::optional<std::size_t> onlyTissue(double bodyPart, const std::vector<const Organ*>& near,
+                                                      const std::vector<double>& distances_mm) const;
+
+  const Patient& patient_;
+  double spacing_mm_;
+  PowerOfLevel power_;
+  SurfaceFinder surfaces_;
+};
+
+}  // namespace ew::phantom
