@@ -88,9 +88,14 @@ Result<Wanted> readWanted(const ScanArguments& arguments, Run& run) {
   return wanted;
 }
 
-Result<ScanSubject> readSubject(const ScanArguments& arguments, const Wanted& wanted, Run& run) {
+/// Whether every image that is made is known, of a body at rest: then no more of a case need be made than they show.
+bool showsLittle(const ScanArguments& arguments) {
+  return arguments.contactSheet.empty() && arguments.times_s.empty() && !arguments.breath && !arguments.pulse;
+}
+
+Result<ScanSubject> readSubject(const ScanArguments& arguments, const Wanted& wanted, const AskedImages& images, Run& run) {
   if (wanted.opened) {
-    auto contents = readCaseContents(run, *wanted.opened);
+    auto contents = showsLittle(arguments) ? readCaseContentsFor(run, *wanted.opened, images) : readCaseContents(run, *wanted.opened);
     if (!contents) return passOn(contents.error());
     ScanSubject subject = subjectOf(*wanted.opened, *contents);
     if (auto formed = formEchoes(run, subject, wanted.opened->scene); !formed) return passOn(formed.error());
@@ -400,7 +405,7 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
     for (std::size_t n = 0; n < plan->outputs(); ++n)
       if (auto announced = run.output(numbered(arguments.output, n, plan->outputs()), ".png .mha"); !announced)
         return passOn(announced.error());
-  auto subject = readSubject(arguments, plan->wanted, run);
+  auto subject = readSubject(arguments, plan->wanted, {plan->probe, plan->knobs, plan->poses}, run);
   if (!subject) return passOn(subject.error());
   if (!arguments.contactSheet.empty()) return makeContactSheet(arguments, *subject, plan->probe, plan->poses, run);
 

@@ -1,5 +1,7 @@
 #include "run/volume_input.h"
 
+#include <algorithm>
+
 #include "ew/core/ending.h"
 #include "ew/core/numbers.h"
 #include "ew/io/volume_file.h"
@@ -87,6 +89,21 @@ Result<CaseContents> readCaseContents(Run& run, const Case& opened) {
   if (!contents) return passOn(contents.error());
   for (const auto& note : contents->notes) run.remark(note);
   return contents;
+}
+
+Result<CaseContents> readCaseContentsFor(Run& run, const Case& opened, const AskedImages& images) {
+  if (auto kept = run.input(opened.folder / "case.json"); !kept) return passOn(kept.error());
+  auto seen = [&] {
+    const StepClock clock(run.report, "read");
+    PartOfProgress reading(run.progress, 0.0, kShareOfReading);
+    return readSeenContents(opened, images, reading);
+  }();
+  if (!seen) return passOn(seen.error());
+  if (!*seen) return readCaseContents(run, opened);
+  run.remark(say<"The case is not prepared; %1 % of it were made, which is what is shown here, and not kept. 'echoweave case prepare %2' "
+                 "makes all "
+                 "of it, once.">(rounded(std::max(1.0, 100.0 * (*seen)->share), 0), opened.id));
+  return std::move((*seen)->contents);
 }
 
 Result<void> formEchoes(Run& run, ScanSubject& subject, const Scene& asked) {

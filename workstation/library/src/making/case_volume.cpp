@@ -8,22 +8,13 @@
 #include "ew/library/preparation.h"
 #include "ew/phantom/patient.h"
 #include "files/guarded_case.h"
+#include "making/case_acoustics.h"
 #include "making/case_pipeline.h"
 
 namespace ew {
 namespace {
 
 namespace fs = std::filesystem;
-
-Result<std::vector<TissueAcoustics>> acousticsOf(const CasePlan& plan) {
-  const auto tissues = readLabelTissues(plan.patientFile, plan.mannequins);
-  if (!tissues) return passOn(tissues.error());
-  std::vector<TissueAcoustics> acoustics;
-  for (const LabelTissue& each : *tissues)
-    acoustics.push_back({each.label, each.organ.empty() ? each.tissue.name : each.organ, each.tissue.attenuation_dbPerCmMhz,
-                         each.tissue.reflection_db, each.tissue.impedance_mrayl});
-  return acoustics;
-}
 
 Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& options, Progress& progress) {
   const auto plan = planOf(opened);
@@ -94,6 +85,25 @@ Result<CaseEcho> fromFiles(const Case& opened, const fs::path& file, Progress& p
 
 }  // namespace
 
+Result<std::vector<TissueAcoustics>> acousticsOf(const CasePlan& plan) {
+  const auto tissues = readLabelTissues(plan.patientFile, plan.mannequins);
+  if (!tissues) return passOn(tissues.error());
+  std::vector<TissueAcoustics> acoustics;
+  for (const LabelTissue& each : *tissues)
+    acoustics.push_back({each.label, each.organ.empty() ? each.tissue.name : each.organ, each.tissue.attenuation_dbPerCmMhz,
+                         each.tissue.reflection_db, each.tissue.impedance_mrayl});
+  return acoustics;
+}
+
+void placeEcho(const Case& opened, CaseEcho& echo) {
+  const auto& fileToWorld = opened.volume.fileToWorld;
+  echo.volume.grid = placed(echo.volume.grid, fileToWorld);
+  if (echo.labels) echo.labels->grid = placed(echo.labels->grid, fileToWorld);
+  if (echo.tissue) echo.tissue->grid = placed(echo.tissue->grid, fileToWorld);
+  if (echo.motion)
+    for (TissueMotion::Mode& mode : echo.motion->modes) mode.grid = placed(mode.grid, fileToWorld);
+}
+
 Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options) {
   Result<CaseEcho> found = [&]() -> Result<CaseEcho> {
     if (!opened.volume.recipe.empty()) return fromRecipe(opened, options, progress);
@@ -108,11 +118,7 @@ Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const Pr
   }();
   if (!found) return found;
   if (auto rigid = checkRigid(opened.volume.fileToWorld); !rigid) return passOn(rigid.error());
-  found->volume.grid = placed(found->volume.grid, opened.volume.fileToWorld);
-  if (found->labels) found->labels->grid = placed(found->labels->grid, opened.volume.fileToWorld);
-  if (found->tissue) found->tissue->grid = placed(found->tissue->grid, opened.volume.fileToWorld);
-  if (found->motion)
-    for (TissueMotion::Mode& mode : found->motion->modes) mode.grid = placed(mode.grid, opened.volume.fileToWorld);
+  placeEcho(opened, *found);
   return found;
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "ew/core/capsule.h"
+#include "ew/library/case.h"
+
+namespace ew {
+
+/// What of a case some images of live echoes look at, made for them alone.
+struct SeenPart {
+  CaseEcho echo;       ///< labels and tissue as those of the whole where they were asked for, else 0; the volume holds no echo at all
+  double share = 0.0;  ///< of the case's voxels
+};
+
+/// The part of a case that comes as a recipe without sweeps, is not prepared yet and takes its time, as long as most of it can be left out:
+/// it comes within seconds, and nothing is kept. Empty: the whole is there, is there as soon, or is asked for.
+/// @param seen_world what images look at (reachOfFrame), in the world
+/// @error as loadCaseVolume
+[[nodiscard]] Result<std::optional<SeenPart>> loadSeenPart(const Case& opened, std::span<const Capsule> seen_world, Progress& progress,
+                                                           const PreparationOptions& options = {});
+
+}  // namespace ew

@@ -1,0 +1,33 @@
+#include "ew/scanning/seen_contents.h"
+
+#include <memory>
+#include <utility>
+
+#include "ew/imaging/frame_reach.h"
+#include "ew/library/seen_part.h"
+
+namespace ew {
+
+Result<std::optional<SeenContents>> readSeenContents(const Case& opened, const AskedImages& images, Progress& progress) {
+  std::vector<Capsule> seen;
+  const std::vector<Capsule> ofFrame = reachOfFrame(images.probe, images.knobs, opened.scene);
+  for (const Pose& pose : images.poses) {
+    if (pose.status != PoseStatus::ok || !checkRigid(pose.probeToWorld.matrix)) continue;  // black, wherever it is
+    const auto inWorld = [&](const glm::dvec3& p_mm) { return (pose.probeToWorld * Point<frame::Probe>{p_mm}).at; };
+    for (const Capsule& each : ofFrame) seen.push_back({inWorld(each.from_mm), inWorld(each.to_mm), each.radius_mm});
+  }
+  auto part = loadSeenPart(opened, seen, progress);
+  if (!part) return passOn(part.error());
+  if (!*part) return std::nullopt;
+  CaseEcho& echo = (*part)->echo;
+  CaseContents contents;
+  contents.voxels = ScanVoxels::asStored(std::make_shared<const Volume>(std::move(echo.volume)));
+  contents.labels = std::make_shared<const Volume>(std::move(*echo.labels));
+  contents.tissue = std::move(echo.tissue);
+  contents.motion = std::move(echo.motion);
+  contents.tissues = std::move(echo.tissues);
+  contents.fileToWorld = opened.volume.fileToWorld;
+  return SeenContents{std::move(contents), (*part)->share};
+}
+
+}  // namespace ew
