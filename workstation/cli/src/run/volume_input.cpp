@@ -93,17 +93,23 @@ Result<CaseContents> readCaseContents(Run& run, const Case& opened) {
 
 Result<CaseContents> readCaseContentsFor(Run& run, const Case& opened, const AskedImages& images) {
   if (auto kept = run.input(opened.folder / "case.json"); !kept) return passOn(kept.error());
-  auto seen = [&] {
+  double share = 0.0;
+  auto contents = [&]() -> Result<CaseContents> {
     const StepClock clock(run.report, "read");
     PartOfProgress reading(run.progress, 0.0, kShareOfReading);
-    return readSeenContents(opened, images, reading);
+    auto seen = readSeenContents(opened, images, reading);
+    if (!seen) return passOn(seen.error());
+    if (!*seen) return readContents(opened, reading);
+    share = (*seen)->share;
+    return std::move((*seen)->contents);
   }();
-  if (!seen) return passOn(seen.error());
-  if (!*seen) return readCaseContents(run, opened);
-  run.remark(say<"The case is not prepared; %1 % of it were made, which is what is shown here, and not kept. 'echoweave case prepare %2' "
-                 "makes all "
-                 "of it, once.">(rounded(std::max(1.0, 100.0 * (*seen)->share), 0), opened.id));
-  return std::move((*seen)->contents);
+  if (!contents) return passOn(contents.error());
+  for (const auto& note : contents->notes) run.remark(note);
+  if (share > 0.0)
+    run.remark(
+        say<"The case is not prepared; %1 % of it were made, which is what is shown here, and not kept. 'echoweave case prepare %2' makes "
+            "all of it, once.">(rounded(std::max(1.0, 100.0 * share), 0), opened.id));
+  return contents;
 }
 
 Result<void> formEchoes(Run& run, ScanSubject& subject, const Scene& asked) {

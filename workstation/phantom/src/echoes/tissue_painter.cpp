@@ -22,27 +22,33 @@ Grid voxelGridOver(const Bounds& box, double spacing_mm) {
   return grid;
 }
 
-double blockRadius_mm(double spacing_mm) { return 0.5 * std::sqrt(3.0) * (kPaintedBlock - 1) * spacing_mm; }
+double blockRadius_mm(int voxels, double spacing_mm) { return 0.5 * std::sqrt(3.0) * (voxels - 1) * spacing_mm; }
 
-OrganFinder::OrganFinder(const Patient& patient, double spacing_mm)
-    : patient_(patient),
-      spacing_mm_(spacing_mm),
-      radius_mm_(blockRadius_mm(spacing_mm)),
-      asked_mm_(SurfaceFinder::asked_mm(kWithinVoxel * spacing_mm)) {}
-
-bool OrganFinder::isOutside(const glm::dvec3& centre_mm, bool asksForPart) const {
-  return patient_.skin->distance_mm(centre_mm) > kReserve * (radius_mm_ + (asksForPart ? 0.5 * spacing_mm_ : 0.0));
+glm::dvec3 blockCentre_mm(const Grid& grid, const glm::ivec3& first, int voxels) {
+  return grid.origin_mm + grid.spacing_mm.x * (glm::dvec3(first) + 0.5 * (voxels - 1));
 }
 
-void OrganFinder::select(const glm::dvec3& centre_mm, std::vector<const Organ*>& near) const {
+OrganFinder::OrganFinder(const Patient& patient, double spacing_mm)
+    : patient_(patient), spacing_mm_(spacing_mm), asked_mm_(SurfaceFinder::asked_mm(kWithinVoxel * spacing_mm)) {
+  for (const Organ& organ : patient.organs) all_.push_back(&organ);
+}
+
+bool OrganFinder::isOutside(const glm::dvec3& centre_mm, int voxels, bool asksForPart) const {
+  return patient_.skin->distance_mm(centre_mm) > kReserve * (blockRadius_mm(voxels, spacing_mm_) + (asksForPart ? 0.5 * spacing_mm_ : 0.0));
+}
+
+void OrganFinder::select(const glm::dvec3& centre_mm, int voxels, const std::vector<const Organ*>& among,
+                         std::vector<const Organ*>& near) const {
   near.clear();
-  for (const Organ& organ : patient_.organs) {
-    const double margin = std::max(organ.border ? organ.border->width_mm : 0.0, spacing_mm_);
-    if (organ.shape->atLeast_mm(centre_mm) > radius_mm_ + margin) continue;
-    const double far_mm = kReserve * (radius_mm_ + margin), d = organ.shape->distanceUpTo_mm(centre_mm, far_mm);
+  const double radius_mm = blockRadius_mm(voxels, spacing_mm_);
+  for (const Organ* organ : among) {
+    // As far as anything is asked of an organ at a voxel, and at the foot of a surface beside it.
+    const double margin = std::max({organ->border ? organ->border->width_mm : 0.0, spacing_mm_, voxels < kPaintedBlock ? asked_mm_ : 0.0});
+    if (organ->shape->atLeast_mm(centre_mm) > radius_mm + margin) continue;
+    const double far_mm = kReserve * (radius_mm + margin), d = organ->shape->distanceUpTo_mm(centre_mm, far_mm);
     if (d >= far_mm) continue;
-    near.push_back(&organ);
-    if (d < -kReserve * (radius_mm_ + margin)) break;  // whatever comes later is hidden by this one
+    near.push_back(organ);
+    if (d < -far_mm) break;  // whatever comes later is hidden by this one
   }
 }
 

@@ -15,10 +15,13 @@ namespace ew::phantom {
 /// The grid of a patient's voxels, from the box that they fill.
 [[nodiscard]] Grid voxelGridOver(const Bounds& box, double spacing_mm);
 
-/// Voxels along each side of a block that asks only for the organs around it.
+/// Voxels along each side of a block that asks only for the organs around it, and of those within it.
 inline constexpr int kPaintedBlock = 8;
-/// From the middle of a block to the farthest of its voxels' middles.
-[[nodiscard]] double blockRadius_mm(double spacing_mm);
+inline constexpr int kInnerBlock = 4;
+/// From the middle of a block of so many voxels along each side to the farthest of its voxels' middles.
+[[nodiscard]] double blockRadius_mm(int voxels, double spacing_mm);
+/// The middle of a block whose first voxel is this one.
+[[nodiscard]] glm::dvec3 blockCentre_mm(const Grid& grid, const glm::ivec3& first, int voxels);
 
 /// What of a voxel's tissue may stay unknown.
 inline constexpr double kNothingLeft = 1e-3;
@@ -32,11 +35,13 @@ class OrganFinder {
  public:
   OrganFinder(const Patient& patient, double spacing_mm);
 
-  /// Whether no voxel of a block about this point lies in the body.
+  /// All of them, by priority.
+  [[nodiscard]] const std::vector<const Organ*>& all() const { return all_; }
+  /// Whether no voxel of a block of so many voxels about this point lies in the body.
   /// @param asksForPart whether voxels count of which only a part lies in it
-  [[nodiscard]] bool isOutside(const glm::dvec3& centre_mm, bool asksForPart) const;
-  /// Organs that can matter to a block about this point, by priority.
-  void select(const glm::dvec3& centre_mm, std::vector<const Organ*>& near) const;
+  [[nodiscard]] bool isOutside(const glm::dvec3& centre_mm, int voxels, bool asksForPart) const;
+  /// Those of some organs that can matter to such a block, by priority.
+  void select(const glm::dvec3& centre_mm, int voxels, const std::vector<const Organ*>& among, std::vector<const Organ*>& near) const;
   /// @param distances_mm becomes those of the organs that are not hidden here, exact where anything asks for them (distanceUpTo_mm)
   /// @return the label of the point: 0 outside all of them
   [[nodiscard]] int distancesAt(const glm::dvec3& p_mm, const std::vector<const Organ*>& near, std::vector<double>& distances_mm) const;
@@ -44,8 +49,8 @@ class OrganFinder {
  private:
   const Patient& patient_;
   double spacing_mm_;
-  double radius_mm_;  ///< of a block
-  double asked_mm_;   ///< farther away no distance matters to levels and surfaces, beside a border
+  std::vector<const Organ*> all_;
+  double asked_mm_;  ///< farther away no distance matters to levels and surfaces, beside a border
 };
 
 /// The tissue itself, as TissueMaps keeps it.

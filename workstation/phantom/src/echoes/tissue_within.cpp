@@ -1,6 +1,7 @@
 #include "ew/phantom/tissue_within.h"
 
-#include <atomic>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 #include <stdexcept>
@@ -13,20 +14,20 @@
 namespace ew {
 namespace {
 
-using phantom::kPaintedBlock;
+using phantom::kInnerBlock;
 using phantom::Organ;
 
-constexpr int kBlocksOfTask = 24;
+constexpr int kBlocksOfTask = 128;
 
 /// Blocks of a grid's voxels, in their order in the volume, that lie within `beyond_mm` of the capsules.
 std::vector<glm::ivec3> blocksWithin(const Grid& grid, std::span<const Capsule> capsules, double beyond_mm) {
-  const glm::ivec3 count = (grid.dims + kPaintedBlock - 1) / kPaintedBlock;
-  const double spacing_mm = grid.spacing_mm.x, radius_mm = phantom::blockRadius_mm(spacing_mm);
+  const glm::ivec3 count = (grid.dims + kInnerBlock - 1) / kInnerBlock;
+  const double spacing_mm = grid.spacing_mm.x, radius_mm = phantom::blockRadius_mm(kInnerBlock, spacing_mm);
   std::vector<std::uint8_t> isAsked(samplesIn(count), 0);
   for (const Capsule& capsule : capsules) {
     const double reach_mm = capsule.radius_mm + beyond_mm + radius_mm;
     const auto blockAt = [&](const glm::dvec3& p_mm) {
-      return glm::floor((p_mm - grid.origin_mm) / (kPaintedBlock * spacing_mm) + 0.5 / kPaintedBlock);
+      return glm::floor((p_mm - grid.origin_mm) / (kInnerBlock * spacing_mm) + 0.5 / kInnerBlock);
     };
     const glm::dvec3 lowest = glm::max(blockAt(glm::min(capsule.from_mm, capsule.to_mm) - reach_mm), glm::dvec3(0.0));
     const glm::dvec3 highest = glm::min(blockAt(glm::max(capsule.from_mm, capsule.to_mm) + reach_mm), glm::dvec3(count - 1));
@@ -36,8 +37,7 @@ std::vector<glm::ivec3> blocksWithin(const Grid& grid, std::span<const Capsule> 
         for (int i = static_cast<int>(lowest.x); i <= static_cast<int>(highest.x); ++i) {
           std::uint8_t& block = isAsked[sampleIndex(count, i, j, k)];
           if (block != 0) continue;
-          const glm::dvec3 first(kPaintedBlock * glm::ivec3(i, j, k));
-          const glm::dvec3 centre_mm = grid.origin_mm + spacing_mm * (first + 0.5 * (kPaintedBlock - 1));
+          const glm::dvec3 centre_mm = phantom::blockCentre_mm(grid, kInnerBlock * glm::ivec3(i, j, k), kInnerBlock);
           block = distanceToLine_mm(capsule, centre_mm) <= reach_mm ? 1 : 0;
         }
   }
@@ -45,8 +45,17 @@ std::vector<glm::ivec3> blocksWithin(const Grid& grid, std::span<const Capsule> 
   for (int k = 0; k < count.z; ++k)
     for (int j = 0; j < count.y; ++j)
       for (int i = 0; i < count.x; ++i)
-        if (isAsked[sampleIndex(count, i, j, k)] != 0) blocks.push_back(kPaintedBlock * glm::ivec3(i, j, k));
+        if (isAsked[sampleIndex(count, i, j, k)] != 0) blocks.push_back(kInnerBlock * glm::ivec3(i, j, k));
   return blocks;
+}
+
+/// As voxelise meets them, so that of two feet as near the same is taken.
+void sortAsInWhole(std::vector<phantom::SurfaceFoot>& feet) {
+  const auto keyOf = [](const phantom::SurfaceFoot& foot) {
+    const glm::ivec3 &at = foot.voxel, block = at / phantom::kPaintedBlock;
+    return std::array{block.z, block.y, block.x, at.z, at.y, at.x};
+  };
+  std::sort(feet.begin(), feet.end(), [&](const auto& a, const auto& b) { return keyOf(a) < keyOf(b); });
 }
 
 /// A surface is known as far from its foot, and is found with the feet as far around.
@@ -67,12 +76,12 @@ class PartPainter {
   /// @param feet of surfaces beside the block's voxels are appended
   template <class Stopped>
   void paint(const glm::ivec3& first, const Stopped& stopped, phantom::TextureAlong& textures, std::vector<phantom::SurfaceFoot>& feet) {
-    const glm::ivec3 last = glm::min(first + kPaintedBlock, grid_.dims);
-    const glm::dvec3 centre_mm = grid_.origin_mm + spacing_mm_ * (glm::dvec3(first) + 0.5 * (kPaintedBlock - 1));
-    if (finder_.isOutside(centre_mm, true)) return;
+    const glm::ivec3 last = glm::min(first + kInnerBlock, grid_.dims);
+    const glm::dvec3 centre_mm = phantom::blockCentre_mm(grid_, first, kInnerBlock);
+    if (finder_.isOutside(centre_mm, kInnerBlock, true)) return;
     std::vector<const Organ*> near;
     std::vector<double> distances_mm;
-    finder_.select(centre_mm, near);
+    finder_.select(centre_mm, kInnerBlock, finder_.all(), near);
     for (int k = first.z; k < last.z; ++k)
       for (int j = first.y; j < last.y && !stopped(); ++j)
         for (int i = first.x; i < last.x; ++i) {
@@ -112,14 +121,17 @@ bool paintBlocks(const Patient& patient, const std::vector<glm::ivec3>& blocks, 
       painter.paint(blocks[n], stopped, textures, feet[static_cast<std::size_t>(task)]);
   };
   if (!forEachTask(tasks, threads, painting, say<"Building what the image shows">(), paintTask)) return false;
-  return phantom::spreadSurfaces(painter.surfaces(), feet, threads, spreading, made.maps);
+  std::vector<std::vector<phantom::SurfaceFoot>> all(1);
+  for (const auto& each : feet) all.front().insert(all.front().end(), each.begin(), each.end());
+  sortAsInWhole(all.front());
+  return phantom::spreadSurfaces(painter.surfaces(), all, threads, spreading, made.maps);
 }
 
 }  // namespace
 
 double shareWithin(const Bounds& box, double spacing_mm, std::span<const Capsule> capsules) {
   const Grid grid = phantom::voxelGridOver(box, spacing_mm);
-  const auto all = static_cast<double>(samplesIn((grid.dims + kPaintedBlock - 1) / kPaintedBlock));
+  const auto all = static_cast<double>(samplesIn((grid.dims + kInnerBlock - 1) / kInnerBlock));
   return static_cast<double>(blocksWithin(grid, capsules, surfacesReach_mm(spacing_mm)).size()) / all;
 }
 

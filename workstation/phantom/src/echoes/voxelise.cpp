@@ -270,9 +270,9 @@ void VolumePainter::paintPiece(int piece) {
 
 void VolumePainter::paintBlock(const glm::ivec3& first, const Strip& strip, Around& around) {
   const glm::ivec3 last = glm::min(first + kBlock, grid_.dims);
-  const glm::dvec3 centre = grid_.origin_mm + options_.spacing_mm * (glm::dvec3(first) + 0.5 * (kBlock - 1));
-  if (finder_.isOutside(centre, made_.maps.has_value())) return;
-  finder_.select(centre, around.near);
+  const glm::dvec3 centre = phantom::blockCentre_mm(grid_, first, kBlock);
+  if (finder_.isOutside(centre, kBlock, made_.maps.has_value())) return;
+  finder_.select(centre, kBlock, finder_.all(), around.near);
   for (int k = first.z; k < last.z; ++k) {
     for (int j = first.y; j < last.y; ++j) {
       if (stopped_) return;
