@@ -1,9 +1,10 @@
-// Who held the window's thread, by a clock that stands still but for what handlers say they took.
+// Who held the window's thread, by clocks that stand still but for what handlers say they took.
 
 #include "ew/widgets/handler_watch.h"
 
 #include <QTimer>
 #include <QtTest>
+#include <algorithm>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -14,8 +15,8 @@ class HandlerWatchTest final : public QObject {
   Q_OBJECT
 
  private:
-  double now_ms_ = 0.0;
-  HandlerWatch watch_{2.0, [this] { return now_ms_; }};
+  double now_ms_ = 0.0, worked_ms_ = 0.0;
+  HandlerWatch watch_{2.0, [this] { return HandlerWatch::Times{now_ms_, worked_ms_}; }};
   QObject window_, panel_;
   QTimer timer_{&panel_};
 
@@ -47,7 +48,25 @@ class HandlerWatchTest final : public QObject {
       take(window_, QEvent::Paint, 2.0);
     });
     QCOMPARE(names(), QStringList({QStringLiteral("QObject 'panel', Paint"), QStringLiteral("QTimer in 'panel', Timer")}));
-    QCOMPARE(watch_.slow().front().worst_ms, 7.0);
+    QCOMPARE(watch_.slow().front().worst.wall_ms, 7.0);
+  }
+
+  void whatItWorkedStandsBesideWhatItTook() {
+    take(window_, QEvent::Wheel, 1.0, [&] {
+      worked_ms_ += 0.5;
+      take(panel_, QEvent::Wheel, 30.0, [&] { worked_ms_ += 4.0; });  // other programs had the machine
+    });
+    take(panel_, QEvent::Wheel, 5.0, [&] { worked_ms_ += 4.5; });
+    const auto all = watch_.slow();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [](const auto& each) { return each.name == QStringLiteral("QObject 'panel', Wheel"); });
+    QVERIFY(found != all.end());
+    QCOMPARE(found->count, std::size_t{2});
+    QCOMPARE(found->total.wall_ms, 35.0);
+    QCOMPARE(found->total.worked_ms, 8.5);
+    QCOMPARE(found->worst.wall_ms, 30.0);
+    QCOMPARE(found->worst.worked_ms, 4.5);
+    QVERIFY(!names().contains(QStringLiteral("QObject 'window', Wheel")));
   }
 
   void aPartOfAHandlerAnswersForItself() {
@@ -75,7 +94,7 @@ class HandlerWatchTest final : public QObject {
 
   void tellsAtFirstAndWhenItGetsTwiceAsLong() {
     std::vector<double> told_ms;
-    watch_.told = [&](const HandlerWatch::Slow& slow) { told_ms.push_back(slow.worst_ms); };
+    watch_.told = [&](const HandlerWatch::Slow& slow) { told_ms.push_back(slow.worst.wall_ms); };
     for (const double took_ms : {3.0, 4.0, 5.0, 11.0, 12.0}) take(window_, QEvent::Resize, took_ms);
     QCOMPARE(told_ms, std::vector<double>({3.0, 11.0}));
   }

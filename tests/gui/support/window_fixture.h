@@ -119,7 +119,8 @@ class TestApplication final : public QApplication {
   ~TestApplication() override {
     if (!watch_) return;
     for (const HandlerWatch::Slow& each : watch_->slow())
-      qInfo("%6zu times, %8.1f ms in all, %7.1f at most: %s", each.count, each.total_ms, each.worst_ms, qPrintable(each.name));
+      qInfo("%6zu times, %8.1f ms in all (worked %8.1f), %7.1f at most (%7.1f): %s", each.count, each.total.wall_ms, each.total.worked_ms,
+            each.worst.wall_ms, each.worst.worked_ms, qPrintable(each.name));
   }
   bool notify(QObject* receiver, QEvent* event) override {
     if (!watch_ || receiver->thread() != thread()) return QApplication::notify(receiver, event);

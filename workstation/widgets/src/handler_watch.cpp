@@ -4,6 +4,7 @@
 #include <QMetaEnum>
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <utility>
 
 namespace ew {
@@ -11,10 +12,17 @@ namespace {
 
 thread_local HandlerWatch* current = nullptr;
 
+HandlerWatch::Times operator+(const HandlerWatch::Times& a, const HandlerWatch::Times& b) {
+  return {a.wall_ms + b.wall_ms, a.worked_ms + b.worked_ms};
+}
+HandlerWatch::Times operator-(const HandlerWatch::Times& a, const HandlerWatch::Times& b) {
+  return {a.wall_ms - b.wall_ms, a.worked_ms - b.worked_ms};
+}
+
 }  // namespace
 
-HandlerWatch::HandlerWatch(double bound_ms, std::function<double()> now_ms)
-    : bound_ms_(bound_ms), now_ms_(std::move(now_ms)), before_(std::exchange(current, this)) {}
+HandlerWatch::HandlerWatch(double bound_ms, std::function<Times()> now)
+    : bound_ms_(bound_ms), now_(std::move(now)), before_(std::exchange(current, this)) {}
 
 HandlerWatch::~HandlerWatch() { current = before_; }
 
@@ -22,36 +30,38 @@ HandlerWatch::Entered::Entered(HandlerWatch& entered, Handled handled) : watch(e
 
 HandlerWatch::Entered::~Entered() { watch.leave(); }
 
-HandlerWatch::Part::Part(const char* name) : watch_(current) {
+HandlerWatch::Part::Part(const QString& name) : watch_(current) {
   if (watch_ == nullptr) return;
   Handled handled;
   handled.part = name;
   watch_->enter(std::move(handled));
 }
 
+HandlerWatch::Part::Part(const char* name) : Part(current != nullptr ? QString::fromUtf8(name) : QString()) {}
+
 HandlerWatch::Part::~Part() {
   if (watch_ != nullptr) watch_->leave();
 }
 
 void HandlerWatch::enter(Handled handled) {
-  handled.begun_ms = now_ms_();
+  handled.begun = now_();
   open_.push_back(std::move(handled));
 }
 
 void HandlerWatch::leave() {
   const Handled handled = std::move(open_.back());
   open_.pop_back();
-  const double took_ms = now_ms_() - handled.begun_ms;
-  if (!open_.empty()) open_.back().inside_ms += took_ms;
-  const double own_ms = took_ms - handled.inside_ms;
-  if (handled.isWaiting || own_ms <= bound_ms_) return;
+  const Times took = now_() - handled.begun;
+  if (!open_.empty()) open_.back().inside = open_.back().inside + took;
+  const Times own = took - handled.inside;
+  if (handled.isWaiting || own.wall_ms <= bound_ms_) return;
   const QString name = nameOf(handled);
   Slow& slow = slow_[name];
   slow.name = name;
   ++slow.count;
-  slow.total_ms += own_ms;
-  const bool isWorth = own_ms > 2.0 * slow.worst_ms;
-  slow.worst_ms = std::max(slow.worst_ms, own_ms);
+  slow.total = slow.total + own;
+  const bool isWorth = own.wall_ms > 2.0 * slow.worst.wall_ms;
+  slow.worst = {std::max(slow.worst.wall_ms, own.wall_ms), std::max(slow.worst.worked_ms, own.worked_ms)};
   if (isWorth && told) told(slow);
 }
 
@@ -70,8 +80,11 @@ void HandlerWatch::follow(const QAbstractEventDispatcher& loop) {
   QObject::connect(&loop, &QAbstractEventDispatcher::awake, &follower_, [this] { wake(); });
 }
 
-double HandlerWatch::steadyNow_ms() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+HandlerWatch::Times HandlerWatch::threadNow() {
+  timespec worked{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &worked);
+  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(),
+          1e3 * static_cast<double>(worked.tv_sec) + 1e-6 * static_cast<double>(worked.tv_nsec)};
 }
 
 QString HandlerWatch::namedAbove(const QObject& receiver) {
@@ -82,7 +95,7 @@ QString HandlerWatch::namedAbove(const QObject& receiver) {
 }
 
 QString HandlerWatch::nameOf(const Handled& handled) {
-  if (handled.part != nullptr) return QString::fromUtf8(handled.part);
+  if (!handled.part.isEmpty()) return handled.part;
   QString name = QString::fromLatin1(handled.className);
   if (!handled.name.isEmpty()) name += QStringLiteral(" '%1'").arg(handled.name);
   if (!handled.nameAbove.isEmpty()) name += QStringLiteral(" in '%1'").arg(handled.nameAbove);
@@ -93,7 +106,7 @@ QString HandlerWatch::nameOf(const Handled& handled) {
 std::vector<HandlerWatch::Slow> HandlerWatch::slow() const {
   std::vector<Slow> all;
   for (const auto& [name, each] : slow_) all.push_back(each);
-  std::sort(all.begin(), all.end(), [](const Slow& a, const Slow& b) { return a.total_ms > b.total_ms; });
+  std::sort(all.begin(), all.end(), [](const Slow& a, const Slow& b) { return a.total.wall_ms > b.total.wall_ms; });
   return all;
 }
 

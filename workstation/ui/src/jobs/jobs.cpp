@@ -13,6 +13,7 @@
 #include "ew/core/elapsed.h"
 #include "ew/core/freed_memory.h"
 #include "ew/core/guarded.h"
+#include "ew/widgets/handler_watch.h"
 #include "ew/widgets/words.h"
 
 namespace ew::ui {
@@ -154,6 +155,7 @@ void Jobs::deliver(int id) {
   if (job->thread.joinable()) job->thread.join();
   Q_EMIT finished(id);
   if (job->done) {
+    const HandlerWatch::Part part(QStringLiteral("taking over '%1'").arg(job->title));
     const auto taken = guarded([&] { job->done(job->outcome); }, [&](const Thrown& thrown) { return notTakenOver(job->title, thrown); });
     if (!taken) Q_EMIT problem(taken.error());
   }

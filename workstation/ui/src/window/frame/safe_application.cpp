@@ -12,7 +12,8 @@ namespace ew::ui {
 SafeApplication::SafeApplication(int& argc, char** argv) : QApplication(argc, argv) {
   watch_.follow(*QAbstractEventDispatcher::instance());
   watch_.told = [](const HandlerWatch::Slow& slow) {
-    spdlog::warn("Held the window's thread for {:.1f} ms: {}", slow.worst_ms, slow.name.toStdString());
+    spdlog::warn("Held the window's thread for {:.1f} ms, and worked for {:.1f}: {}", slow.worst.wall_ms, slow.worst.worked_ms,
+                 slow.name.toStdString());
   };
 }
 
@@ -20,8 +21,8 @@ SafeApplication::~SafeApplication() {
   constexpr std::size_t kWorthSaying = 12;
   const std::vector<HandlerWatch::Slow> all = watch_.slow();
   for (std::size_t n = 0; n < std::min(kWorthSaying, all.size()); ++n)
-    spdlog::info("Held the window's thread {} times, {:.0f} ms in all, {:.1f} ms at most: {}", all[n].count, all[n].total_ms,
-                 all[n].worst_ms, all[n].name.toStdString());
+    spdlog::info("Held the window's thread {} times, {:.0f} ms in all (worked for {:.0f}), {:.1f} ms at most ({:.1f}): {}", all[n].count,
+                 all[n].total.wall_ms, all[n].total.worked_ms, all[n].worst.wall_ms, all[n].worst.worked_ms, all[n].name.toStdString());
 }
 
 bool SafeApplication::notify(QObject* receiver, QEvent* event) {

@@ -16,17 +16,22 @@ namespace ew {
 /// thread.
 class HandlerWatch {
  public:
+  /// Since some beginning: on the wall, and what this thread has worked. A machine that does other things too lets the first alone grow.
+  struct Times {
+    double wall_ms = 0.0;
+    double worked_ms = 0.0;
+  };
   /// One class, name and kind of event.
   struct Slow {
     QString name;
     std::size_t count = 0;
-    double total_ms = 0.0;
-    double worst_ms = 0.0;
+    Times total;
+    Times worst;  ///< each by itself
   };
 
-  /// @param bound_ms above which handling is slow
-  /// @param now_ms   a clock that never goes back
-  explicit HandlerWatch(double bound_ms = 2.0, std::function<double()> now_ms = steadyNow_ms);
+  /// @param bound_ms on the wall, above which handling is slow
+  /// @param now      a clock that never goes back
+  explicit HandlerWatch(double bound_ms = 2.0, std::function<Times()> now = threadNow);
   ~HandlerWatch();
   HandlerWatch(const HandlerWatch&) = delete;
   HandlerWatch& operator=(const HandlerWatch&) = delete;
@@ -48,7 +53,7 @@ class HandlerWatch {
   /// A part of a handler that answers for itself, such as the making of an image. Nothing happens where no watch runs.
   class Part {
    public:
-    /// @param name lives longer
+    explicit Part(const QString& name);
     explicit Part(const char* name);
     ~Part();
     Part(const Part&) = delete;
@@ -58,7 +63,7 @@ class HandlerWatch {
     HandlerWatch* watch_;
   };
 
-  /// Slow ones, what took longest in all first.
+  /// Slow ones, what took longest in all on the wall first.
   [[nodiscard]] std::vector<Slow> slow() const;
   /// Told of one that is slow for the first time, or took twice as long as ever before.
   std::function<void(const Slow&)> told;
@@ -69,10 +74,10 @@ class HandlerWatch {
     QString name;
     QString nameAbove;  ///< of the nearest parent that has one
     QEvent::Type type = QEvent::None;
-    const char* part = nullptr;  ///< of a handler, in place of all that
+    QString part{};  ///< of a handler, in place of all that
     bool isWaiting = false;
-    double begun_ms = 0.0;
-    double inside_ms = 0.0;  ///< what was handled meanwhile
+    Times begun{};
+    Times inside{};  ///< what was handled meanwhile
   };
   struct Entered {
     Entered(HandlerWatch& watch, Handled handled);
@@ -81,14 +86,14 @@ class HandlerWatch {
     Entered& operator=(const Entered&) = delete;
     HandlerWatch& watch;
   };
-  static double steadyNow_ms();
+  static Times threadNow();
   static QString namedAbove(const QObject& receiver);
   static QString nameOf(const Handled& handled);
   void enter(Handled handled);
   void leave();
 
   double bound_ms_;
-  std::function<double()> now_ms_;
+  std::function<Times()> now_;
   HandlerWatch* before_;  ///< that watched this thread when this one began
   QObject follower_;
   std::vector<Handled> open_;
