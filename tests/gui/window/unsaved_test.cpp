@@ -23,45 +23,17 @@
 #include "ew/ui_test_door/start.h"
 #include "gui/support/answers.h"
 #include "gui/support/case_aside.h"
-#include "gui/support/window_fixture.h"
+#include "gui/support/cases_fixture.h"
 #include "library/small_case.h"
 #include "library/temporary_folder.h"
 
 namespace ew::ui::testing {
-namespace {
-
-constexpr int kPatience_ms = 300000;
-
-std::string textOf(const QString& file) { return test::textOf(file.toStdString()); }
-
-}  // namespace
-
-class UnsavedTest : public WindowFixture {
+class UnsavedTest : public CasesFixture {
   Q_OBJECT
 
  private:
   using json = nlohmann::json;
-  QString folder_;
-  int made_ = 0;
 
-  [[nodiscard]] QString writeCaseCalled(const QString& title) {
-    const QString folder = files_.writeCase(QStringLiteral("case %1").arg(++made_));
-    auto manifest = json::parse(textOf(folder + QStringLiteral("/case.json")));
-    manifest["title"] = title.toStdString();
-    manifest["id"] = "case-" + std::to_string(made_);
-    test::writeText((folder + QStringLiteral("/case.json")).toStdString(), manifest.dump());
-    return folder;
-  }
-  void editTitle(const std::string& title) {
-    Case changed = *document().current();
-    changed.title = title;
-    QVERIFY(document().edit(changed, "Change the title", "title").has_value());
-  }
-  [[nodiscard]] CaseDocument& document() const { return window_->document(); }
-  [[nodiscard]] QString openTitle() const { return document().current() ? QString::fromStdString(document().current()->title) : QString(); }
-  [[nodiscard]] bool waitForRest() const {
-    return waitUntil([this] { return window_->isSettled(); }, kPatience_ms);
-  }
   [[nodiscard]] QAction* action(const QString& text) const {
     for (QAction* each : window_->findChildren<QAction*>())
       if (each->text().startsWith(text)) return each;
@@ -93,19 +65,14 @@ class UnsavedTest : public WindowFixture {
   void beginVolume(const QString& sweep) const {
     window_->open(sweep);
     QDialog* dialog = nullptr;
-    QVERIFY(waitUntil([&] { return (dialog = find<QDialog>("importDialog")) != nullptr && dialog->isVisible(); }, kPatience_ms));
+    QVERIFY(waitUntil([&] { return (dialog = find<QDialog>("importDialog")) != nullptr && dialog->isVisible(); }, kOpening_ms));
     auto* make = dialog->findChild<QPushButton*>(QStringLiteral("makeVolume"));
-    QVERIFY(waitUntil([&] { return make->isEnabled(); }, kPatience_ms));
+    QVERIFY(waitUntil([&] { return make->isEnabled(); }, kOpening_ms));
     make->click();
   }
-  [[nodiscard]] bool shows(const QString& title) const { return session().subject() && session().subject()->title == title.toStdString(); }
 
  private Q_SLOTS:
-  void init() {
-    QDir(files_.path(QStringLiteral("own cases"))).removeRecursively();
-    folder_ = writeCaseCalled(QStringLiteral("first"));
-    showWindowWithCase(folder_);
-  }
+  void init() { showFirstCase(); }
   void cleanup() { window_.reset(); }
 
   void editsMadeWhileAnotherCaseIsOpenedAreAskedAboutWhenItIsReady() {
@@ -115,7 +82,7 @@ class UnsavedTest : public WindowFixture {
       window_->open(second);
       QVERIFY2(answers.asked.isEmpty(), "nothing is lost yet");
       editTitle(button == QMessageBox::Cancel ? "edited" : "edited twice");
-      QVERIFY(waitUntil([&] { return !answers.asked.isEmpty(); }, kPatience_ms));
+      QVERIFY(waitUntil([&] { return !answers.asked.isEmpty(); }, kOpening_ms));
       QVERIFY(waitForRest());
       QCOMPARE(answers.asked, QStringList{QStringLiteral("unsavedQuestion")});
       if (button == QMessageBox::Cancel) {
@@ -136,11 +103,11 @@ class UnsavedTest : public WindowFixture {
     const QString wrong = files_.path(QStringLiteral("wrong.mha"));
     QVERIFY(writeFileSafely(wrong.toStdString(), "this is not a MetaImage\n").has_value());
     window_->open(wrong);
-    QVERIFY(waitUntil([this] { return window_->messages().isError(); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return window_->messages().isError(); }, kOpening_ms));
     QVERIFY(answers.asked.isEmpty());
     QVERIFY(document().hasUnsavedChanges());
     window_->open(writeCaseCalled(QStringLiteral("second")));
-    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("second"); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("second"); }, kOpening_ms));
     QCOMPARE(answers.asked.size(), 1);
     QCOMPARE(loadCaseAside(folder_.toStdString())->title, std::string("first"));
   }
@@ -151,7 +118,7 @@ class UnsavedTest : public WindowFixture {
       const Answers stay({{QStringLiteral("unsavedQuestion"), press(QMessageBox::Cancel)}});
       beginVolume(sweep);
       editTitle("edited");
-      QVERIFY(waitUntil([&] { return !stay.asked.isEmpty(); }, kPatience_ms));
+      QVERIFY(waitUntil([&] { return !stay.asked.isEmpty(); }, kOpening_ms));
       QVERIFY(waitForRest());
     }
     QCOMPARE(openTitle(), QStringLiteral("edited"));
@@ -160,20 +127,20 @@ class UnsavedTest : public WindowFixture {
     QVERIFY2(waiting != nullptr && waiting->isVisible(), "a volume that took minutes is not lost by staying with the case");
     const Answers discard({{QStringLiteral("unsavedQuestion"), press(QMessageBox::Discard)}});
     waiting->trigger();
-    QVERIFY(waitUntil([this] { return shows(QStringLiteral("waiting.igs.mha")); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return shows(QStringLiteral("waiting.igs.mha")); }, kOpening_ms));
     QVERIFY(!document().current());
     QVERIFY(!waiting->isVisible());
   }
 
   void aVolumeThatWasNeverSavedIsAskedAbout() {
     beginVolume(files_.writeSweep(QStringLiteral("made.igs.mha")));
-    QVERIFY(waitUntil([this] { return shows(QStringLiteral("made.igs.mha")); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return shows(QStringLiteral("made.igs.mha")); }, kOpening_ms));
     {
       const Answers stay({{QStringLiteral("unsavedVolumeQuestion"), press(QMessageBox::Cancel)}});
       QVERIFY(!window_->close());
       QCOMPARE(stay.asked, QStringList{QStringLiteral("unsavedVolumeQuestion")});
       window_->open(folder_);
-      QVERIFY(waitUntil([&] { return stay.asked.size() == 2; }, kPatience_ms));
+      QVERIFY(waitUntil([&] { return stay.asked.size() == 2; }, kOpening_ms));
       QVERIFY(waitForRest());
       QVERIFY(shows(QStringLiteral("made.igs.mha")));
     }
@@ -183,7 +150,7 @@ class UnsavedTest : public WindowFixture {
                         {QStringLiteral("fileDialog"), type(file)},
                         {QStringLiteral("savingDialog"), [](QWidget&) {}}});
     window_->open(folder_);
-    QVERIFY(waitUntil([this] { return shows(QStringLiteral("first")); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return shows(QStringLiteral("first")); }, kOpening_ms));
     QVERIFY(QFile::exists(file + QStringLiteral(".mha")));
     QVERIFY(readVolume(file.toStdString() + ".mha").has_value());
     const qsizetype asked = save.asked.size();
@@ -195,7 +162,7 @@ class UnsavedTest : public WindowFixture {
     const QString sweep = files_.writeSweep(QStringLiteral("precious.igs.mha"));
     const std::string before = textOf(sweep);
     beginVolume(sweep);
-    QVERIFY(waitUntil([this] { return shows(QStringLiteral("precious.igs.mha")); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return shows(QStringLiteral("precious.igs.mha")); }, kOpening_ms));
     QString proposed;
     const auto typeOver = [&proposed, sweep](QWidget& dialog) {
       proposed = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->text();
@@ -346,12 +313,12 @@ class UnsavedTest : public WindowFixture {
       QCOMPARE(loadCaseAside(document().current()->folder)->title, std::string("ours at last"));
     }
     window_->open(folder_);
-    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("theirs again"); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("theirs again"); }, kOpening_ms));
     editTitle("ours once more");
     saveInAnotherProgram("theirs for good");
     const Answers answers({{QStringLiteral("changedOnDiskQuestion"), press("reload")}});
     save->trigger();
-    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("theirs for good"); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("theirs for good"); }, kOpening_ms));
     QVERIFY(waitForRest());
     QCOMPARE(answers.asked, QStringList{QStringLiteral("changedOnDiskQuestion")});
     QVERIFY(shows(QStringLiteral("theirs for good")));
@@ -399,7 +366,7 @@ class UnsavedTest : public WindowFixture {
                              poll->start(20);
                            }}});
       window_->offerKeptEdits();
-      QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("typed before the crash"); }, kPatience_ms));
+      QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("typed before the crash"); }, kOpening_ms));
       QCOMPARE(open.asked.size(), 1);
       QVERIFY(waitForRest());
       QVERIFY(shows(QStringLiteral("typed before the crash")));
@@ -430,49 +397,13 @@ class UnsavedTest : public WindowFixture {
                                             .dump());
     const Answers open({{QStringLiteral("keptEditsQuestion"), press("openKept")}});
     window_->offerKeptEdits();
-    QVERIFY(waitUntil([this] { return window_->messages().isError(); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return window_->messages().isError(); }, kOpening_ms));
     QVERIFY2(window_->messages().text().contains(QStringLiteral("nowhere.mha")), qPrintable(window_->messages().text()));
     QCOMPARE(open.asked.size(), 1);
     QCOMPARE(openTitle(), QStringLiteral("first"));
     QVERIFY(!document().hasUnsavedChanges());
     QVERIFY(QFile::exists(left));
     QVERIFY(QDir(root + QStringLiteral("/left")).removeRecursively());
-  }
-
-  void noCaseIsReadOnTheThreadOfTheWindow() {
-    QVERIFY2(isResponsiveThread(), "what reads cases expects not to run here");
-    bool isWorkersResponsive = true;
-    std::thread([&] { isWorkersResponsive = isResponsiveThread(); }).join();
-    QVERIFY(!isWorkersResponsive);
-    window_.reset();
-    QVERIFY(!isResponsiveThread());
-    QVERIFY(loadCase(folder_.toStdString()).has_value());
-  }
-
-  void whatGaveWayComesBackWhenWhatWasChosenInItsPlaceIsRefused() {
-    const QString second = writeCaseCalled(QStringLiteral("second"));
-    const QString broken = writeCaseCalled(QStringLiteral("broken"));
-    test::writeText((broken + QStringLiteral("/case.json")).toStdString(), "{\"format\": 1}");
-    window_->open(second);
-    window_->open(broken);
-    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("second"); }, kPatience_ms));
-    QVERIFY(waitForRest());
-    QVERIFY(shows(QStringLiteral("second")));
-    QVERIFY2(window_->messages().isError(), "why the other did not come is still said");
-    window_->open(folder_);
-    window_->open(second);
-    QVERIFY(waitForRest());
-    QCOMPARE(openTitle(), QStringLiteral("second"));
-  }
-
-  void whatGaveWayStaysAwayWhenWhatWasChosenInItsPlaceIsCancelled() {
-    const QString second = writeCaseCalled(QStringLiteral("second")), third = writeCaseCalled(QStringLiteral("third"));
-    window_->open(second);
-    window_->open(third);
-    for (const Jobs::Seen& job : window_->jobs().seen()) window_->jobs().cancel(job.id);
-    QVERIFY(waitForRest());
-    QVERIFY2(openTitle() == QLatin1String("first") || openTitle() == QLatin1String("third"), "a job may be done before it is cancelled");
-    QVERIFY(shows(openTitle()));
   }
 
   void editsAreKeptWhileTheyAreNotSavedAndForgottenAfterwards() {
@@ -486,101 +417,16 @@ class UnsavedTest : public WindowFixture {
     };
     QVERIFY(kept().empty());
     editTitle("typed");
-    QVERIFY(waitUntil([&] { return kept() == "typed"; }, kPatience_ms));
+    QVERIFY(waitUntil([&] { return kept() == "typed"; }, kOpening_ms));
     editTitle("typed on");
-    QVERIFY(waitUntil([&] { return kept() == "typed on"; }, kPatience_ms));
+    QVERIFY(waitUntil([&] { return kept() == "typed on"; }, kOpening_ms));
     QVERIFY(document().save().has_value());
-    QVERIFY(waitUntil([&] { return kept().empty(); }, kPatience_ms));
+    QVERIFY(waitUntil([&] { return kept().empty(); }, kOpening_ms));
     editTitle("given up");
-    QVERIFY(waitUntil([&] { return kept() == "given up"; }, kPatience_ms));
+    QVERIFY(waitUntil([&] { return kept() == "given up"; }, kOpening_ms));
     const Answers answers({{QStringLiteral("unsavedQuestion"), press(QMessageBox::Discard)}});
     QVERIFY(window_->close());
     QVERIFY(kept().empty());
-  }
-
-  void aCaseWhoseVolumeIsExchangedIsLoadedAgainAndUndoLoadsTheFormerOne() {
-    Volume other;
-    other.grid.dims = {30, 40, 50};
-    other.grid.spacing_mm = glm::dvec3(3.0);
-    other.grid.origin_mm = {-40.0, -110.0, -70.0};
-    other.echo.assign(other.grid.voxelCount(), 77);
-    QVERIFY(writeVolume(other, folder_.toStdString() + "/other.mha").has_value());
-    const auto before = session().subject()->voxels.volume();
-    Case changed = *document().current();
-    changed.volume.file = "other.mha";
-    changed.volume.fileToWorld.matrix[3][0] = 9.0;
-    QVERIFY(document().edit(changed, "Take over a volume", "").has_value());
-    editTitle("moved on");  // meanwhile
-    QVERIFY(
-        waitUntil([&] { return session().subject() && session().subject()->voxels.volume()->grid.dims == other.grid.dims; }, kPatience_ms));
-    QVERIFY(waitForRest());
-    QVERIFY(session().subject()->voxels.volume()->echo == other.echo);
-    QCOMPARE(session().subject()->placedGrid.origin_mm.x, -31.0);
-    QVERIFY(shows(QStringLiteral("moved on")));
-    QVERIFY(session().subject()->scene.gainAndDgc);
-    changed = *document().current();
-    changed.volume.fileToWorld.matrix[3][0] = 4.0;
-    QVERIFY(document().edit(changed, "Move the volume", "x").has_value());
-    QCOMPARE(session().subject()->placedGrid.origin_mm.x, -36.0);
-    while (document().history().canUndo()) document().undo();
-    QVERIFY(waitUntil([&] { return session().subject() && session().subject()->voxels.volume()->echo == before->echo; }, kPatience_ms));
-    QVERIFY(waitForRest());
-    QVERIFY(shows(QStringLiteral("first")));
-    QVERIFY(session().subject()->placedGrid == before->grid);
-  }
-
-  void anOpeningThatIsGivenUpForAnotherEndsSoThatPreparingGoesOn() {
-    const QString unprepared = files_.path(QStringLiteral("unprepared %1").arg(made_));
-    test::makeSmallCase(unprepared.toStdString());
-    qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache %1").arg(made_)).toUtf8());
-    auto* opener = window_->findChild<Opener*>();
-    QVERIFY(opener != nullptr);
-    const QString instead = files_.writeSweep(QStringLiteral("instead.igs.mha"));
-    const QSignalSpy preparing(opener, &Opener::preparing), ended(opener, &Opener::ended), sweep(opener, &Opener::sweepChosen);
-    int endedBefore = -1, endedAfter = -1;
-    QObject whileItIsPrepared;
-    connect(opener, &Opener::preparing, &whileItIsPrepared, [&] {
-      endedBefore = ended.count();
-      window_->open(instead);
-      endedAfter = ended.count();
-    });
-    window_->open(unprepared);
-    QCOMPARE(preparing.count(), 0);  // it is read by the job, not by the window
-    QVERIFY(waitUntil([&] { return sweep.count() == 1; }, kPatience_ms));
-    QCOMPARE(preparing.count(), 1);
-    QCOMPARE(endedBefore, 0);
-    QCOMPARE(endedAfter, 1);
-    QCOMPARE(ended.count(), 2);
-    QVERIFY(waitForRest());
-  }
-
-  void anOpeningThatIsGivenUpBeforeItsCaseIsReadTellsNothingOfIt() {
-    const QString unprepared = files_.path(QStringLiteral("given up %1").arg(made_));
-    test::makeSmallCase(unprepared.toStdString());
-    qputenv("ECHOWEAVE_CACHE", files_.path(QStringLiteral("cache of given up %1").arg(made_)).toUtf8());
-    auto* opener = window_->findChild<Opener*>();
-    QVERIFY(opener != nullptr);
-    const QString instead = files_.writeSweep(QStringLiteral("at once.igs.mha"));
-    const QSignalSpy preparing(opener, &Opener::preparing), ended(opener, &Opener::ended), sweep(opener, &Opener::sweepChosen);
-    window_->open(unprepared);
-    window_->open(instead);
-    QVERIFY(waitUntil([&] { return sweep.count() == 1; }, kPatience_ms));
-    QVERIFY(waitForRest());
-    QCOMPARE(preparing.count(), 0);
-    QCOMPARE(ended.count(), 2);
-  }
-
-  void theStartPageIsFilledHoweverItIsReached() {
-    window_ = std::make_unique<MainWindow>();
-    window_->show();
-    const QString wrong = files_.path(QStringLiteral("wrong at start.mha"));
-    QVERIFY(writeFileSafely(wrong.toStdString(), "this is not a MetaImage\n").has_value());
-    window_->open(wrong);
-    QVERIFY(waitUntil([this] { return window_->messages().isError(); }, kPatience_ms));
-    window_->setWorkspace(Workspace::explore);
-    QVERIFY(find<StartPage>("startPage")->isVisible());
-    QVERIFY(waitUntil([this] { return find<QAbstractItemView>("caseCards")->model()->rowCount() > 0; }));
-    QVERIFY(waitForRest());
   }
 
   void aCaseThatIsOpenHereIsNotTakenOutOfTheLibrary() {
@@ -588,7 +434,7 @@ class UnsavedTest : public WindowFixture {
     QVERIFY(QDir().mkpath(QFileInfo(own).path()) && QDir().rename(writeCaseCalled(QStringLiteral("mine")), own));
     auto* page = find<StartPage>("startPage");
     window_->open(own);
-    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("mine"); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("mine"); }, kOpening_ms));
     QVERIFY(waitForRest());
     {
       const Answers nobody({});
@@ -599,7 +445,7 @@ class UnsavedTest : public WindowFixture {
       QVERIFY2(window_->messages().text().contains(QStringLiteral("in use in this window")), qPrintable(window_->messages().text()));
     }
     window_->open(folder_);
-    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("first"); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return openTitle() == QLatin1String("first"); }, kOpening_ms));
     QVERIFY(waitForRest());
     const Answers take({{QStringLiteral("withdrawQuestion"), press("withdrawNow")}});
     Q_EMIT page->withdrawRequested(own, QStringLiteral("mine"));
@@ -617,7 +463,7 @@ class UnsavedTest : public WindowFixture {
     QVERIFY(QDir().rename(folder_, shipped));
     const test::EnvironmentValue here("ECHOWEAVE_RESOURCES", (program + QStringLiteral("/resources")).toStdString());
     window_->open(shipped);
-    QVERIFY(waitUntil([this] { return document().isShippedCase(); }, kPatience_ms));
+    QVERIFY(waitUntil([this] { return document().isShippedCase(); }, kOpening_ms));
     QVERIFY(waitForRest());
     const std::string before = textOf(shipped + QStringLiteral("/case.json"));
     editTitle("my own");
