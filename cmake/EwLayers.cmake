@@ -1,7 +1,7 @@
 # ew_check_layers(): stops the configuration when a link line breaks the layers of resources/docs/developer/architecture.md.
 
 # The libraries from the bottom to the top: each links only those that stand before it.
-set(EW_LAYERS core io paper imaging acquisition registration stitching phantom labelling tracking trackers case_values library controls worksheets measurement annotation scan_values scanning assessment simulated_people export records reports bridge widgets sdk door ui cli cli_words cli_bench)
+set(EW_LAYERS core io paper imaging acquisition registration stitching phantom labelling tracking trackers case_values library controls worksheets measurement annotation scan_values scanning assessment simulated_people export records reports bridge widgets body sdk door ui cli cli_words cli_bench)
 # These compute. Neither they nor their tests link Qt or VTK; a test named *_peer compares with VTK and is what that name says.
 set(EW_LAYERS_WITHOUT_QT_AND_VTK core paper imaging acquisition registration stitching phantom labelling tracking trackers case_values controls worksheets measurement annotation scan_values scanning assessment simulated_people export records reports)
 

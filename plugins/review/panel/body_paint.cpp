@@ -1,11 +1,9 @@
 // What is painted over the body: regions, paths, planes, and where both probes are.
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 
-#include "ew/bridge/scene3d.h"
+#include "ew/body/body_canvas.h"
 #include "ew/imaging/display.h"
 #include "ew/widgets/theme.h"
 #include "panel/body_view.h"
@@ -55,7 +53,7 @@ void BodyView::makeStill() {
 void BodyView::paintRegions(QPainter& painter) const {
   if (regions_.empty()) return;
   const ReviewScan* base = scans_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
-  const glm::dvec3 eye = scene_->eye_mm();
+  const glm::dvec3 eye = canvas_->scene().eye_mm();
   std::vector<std::pair<double, const Region*>> order;
   for (const Region& each : regions_) order.emplace_back(glm::distance(eye, each.middle_mm), &each);
   std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -63,7 +61,8 @@ void BodyView::paintRegions(QPainter& painter) const {
   QColor hue = isTime ? colour(heat_ == Heat::expert ? kCompared : kReviewed) : palette().color(QPalette::WindowText);
   for (const auto& [distance, region] : order) {
     const QPointF at = pixelOf(region->middle_mm);
-    const double side = std::max(1.5, base->regions->side_mm() / scene_->mmPerPixelAt(region->middle_mm) / canvas_->devicePixelRatioF());
+    const double side =
+        std::max(1.5, base->regions->side_mm() / canvas_->scene().mmPerPixelAt(region->middle_mm) / canvas_->devicePixelRatioF());
     // Many lie behind each other: what is thin stays light.
     hue.setAlphaF(isTime ? 0.015 + 0.22 * region->share * region->share : 0.14);
     if (isTime) {

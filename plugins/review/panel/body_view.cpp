@@ -1,20 +1,15 @@
 #include "panel/body_view.h"
 
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
-
 #include <QEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
-#include "ew/bridge/scene3d.h"
+#include "ew/body/body_canvas.h"
+#include "ew/bridge/mannequin.h"
 #include "ew/imaging/display.h"
 #include "ew/widgets/theme.h"
 #include "panel/review_words.h"
@@ -65,48 +60,49 @@ BodyView::BodyView(const ScanPair& scans, const Playback& playback, QWidget* par
   setObjectName(QStringLiteral("reviewBody"));
   setAccessibleName(tr("Both scans on the body"));
   setMinimumSize(160, 160);
-  canvas_ = new QVTKOpenGLNativeWidget(this);
+  canvas_ = new BodyCanvas(this);
   canvas_->setObjectName(QStringLiteral("reviewBodyCanvas"));
   canvas_->setAccessibleName(accessibleName());
   canvas_->setFocusPolicy(Qt::ClickFocus);
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  canvas_->setRenderWindow(window);
-  canvas_->setEnableHiDPI(true);
-  window->SetMultiSamples(0);
-  if (auto* interactor = canvas_->interactor()) interactor->SetInteractorStyle(nullptr);
-  scene_ = std::make_unique<bridge::Scene3D>(*window);
-  scene_->setColours(currentTheme().dark ? bridge::darkColours() : bridge::lightColours());
-  scene_->setBodyOpacity(kTranslucent);
-  scene_->setProbeVisible(false);
+  canvas_->changeLooks([](bridge::Scene3D& scene) {
+    scene.setBodyOpacity(kTranslucent);
+    scene.setProbeVisible(false);
+  });
+  restyle();
   canvas_->installEventFilter(this);
   glass_ = new Glass(this);
   connect(&scans_, &ScanPair::changed, this, &BodyView::takeScans);
+  // What lies over the body moves with it, not before it.
+  connect(canvas_, &BodyCanvas::drawn, this, [this] {
+    still_.reset();
+    glass_->update();
+  });
   connect(&playback_, &Playback::timeChanged, this, [this] { glass_->update(); });
   takeScans();
-}
-
-BodyView::~BodyView() {
-  scene_.reset();
-  delete canvas_;
 }
 
 QColor BodyView::colour(Side side) const { return colourOf(whoOf(side), currentTheme().dark); }
 
 void BodyView::takeScans() {
-  if (scans_.mannequin() && scene_->mannequin() != scans_.mannequin()) scene_->setMannequin(scans_.mannequin());
+  if (scans_.mannequin() && canvas_->scene().mannequin() != scans_.mannequin())
+    canvas_->change([mannequin = scans_.mannequin()](bridge::Scene3D& scene) { scene.setMannequin(mannequin); });
   const ReviewScan* scan = scans_.opened(kReviewed) != nullptr ? scans_.opened(kReviewed) : scans_.opened(kCompared);
   if (scan == nullptr) {
-    scene_->clearVolumeBox();
+    canvas_->change([](bridge::Scene3D& scene) { scene.clearVolumeBox(); });
     framedFor_ = nullptr;
   } else {
-    scene_->setVolumeBox(scan->subject.placedGrid);
-    scene_->setBoxVisible(true);
+    canvas_->change([grid = scan->subject.placedGrid](bridge::Scene3D& scene) {
+      scene.setVolumeBox(grid);
+      scene.setBoxVisible(true);
+    });
     const void* about = scan->subject.voxels.volume().get();
     if (framedFor_ != about) {
-      scene_->showFrom(bridge::CameraPreset::front);
-      scene_->fitToVolume();
-      scene_->orbit(0.45, 0.3);
-      scene_->zoom(1.3);
+      canvas_->change([](bridge::Scene3D& scene) {
+        scene.showFrom(bridge::CameraPreset::front);
+        scene.fitToVolume();
+        scene.orbit(0.45, 0.3);
+        scene.zoom(1.3);
+      });
     }
     framedFor_ = about;
   }
@@ -164,24 +160,24 @@ QString BodyView::heatWords() const {
 }
 
 void BodyView::showFrom(bridge::CameraPreset preset) {
-  scene_->showFrom(preset);
+  look([preset](bridge::Scene3D& scene) { scene.showFrom(preset); });
+}
+
+void BodyView::look(const std::function<void(bridge::Scene3D&)>& change) {
+  canvas_->change(change);
   moved();
 }
 
-void BodyView::moved() {
-  still_.reset();
-  render();
+void BodyView::restyle() {
+  canvas_->changeLooks([colours = currentTheme().dark ? bridge::darkColours() : bridge::lightColours()](bridge::Scene3D& scene) {
+    scene.setColours(colours);
+  });
 }
 
-void BodyView::render() {
-  if (renderAsked_ || !isVisible()) return;
-  renderAsked_ = true;
-  QTimer::singleShot(0, this, [this] {
-    renderAsked_ = false;
-    scene_->render(bridge::Scene3D::Edges::smooth);
-    still_.reset();
-    glass_->update();
-  });
+void BodyView::moved() {
+  if (isVisible() && canvas_->isValid()) return canvas_->draw(bridge::Scene3D::Edges::smooth);
+  still_.reset();
+  glass_->update();
 }
 
 void BodyView::resizeEvent(QResizeEvent* event) {
@@ -199,8 +195,8 @@ void BodyView::showEvent(QShowEvent* event) {
 
 void BodyView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() != QEvent::PaletteChange || !scene_) return;
-  scene_->setColours(currentTheme().dark ? bridge::darkColours() : bridge::lightColours());
+  if (event->type() != QEvent::PaletteChange || canvas_ == nullptr) return;
+  restyle();
   moved();
 }
 
@@ -217,18 +213,16 @@ bool BodyView::eventFilter(QObject* watched, QEvent* event) {
       const QPointF way = mouse->localPos() - last_;
       last_ = mouse->localPos();
       if (mouse->buttons().testFlag(Qt::LeftButton))
-        scene_->orbit(-0.01 * way.x(), 0.01 * way.y());
+        look([way](bridge::Scene3D& scene) { scene.orbit(-0.01 * way.x(), 0.01 * way.y()); });
       else
-        scene_->pan(canvas_->devicePixelRatioF() * glm::dvec2(way.x(), way.y()));
-      moved();
+        look([by_px = canvas_->devicePixelRatioF() * glm::dvec2(way.x(), way.y())](bridge::Scene3D& scene) { scene.pan(by_px); });
       return true;
     }
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
       return true;
     case QEvent::Wheel:
-      scene_->zoom(std::pow(1.001, static_cast<QWheelEvent*>(event)->angleDelta().y()));
-      moved();
+      look([factor = std::pow(1.001, static_cast<QWheelEvent*>(event)->angleDelta().y())](bridge::Scene3D& scene) { scene.zoom(factor); });
       return true;
     default:
       return QWidget::eventFilter(watched, event);
@@ -236,7 +230,7 @@ bool BodyView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QPointF BodyView::pixelOf(const glm::dvec3& p_world_mm) const {
-  const glm::dvec2 at = scene_->pixelOf(p_world_mm) / canvas_->devicePixelRatioF();
+  const glm::dvec2 at = canvas_->scene().pixelOf(p_world_mm) / canvas_->devicePixelRatioF();
   return {at.x, at.y};
 }
 

@@ -2,13 +2,15 @@
 
 #include <QPixmap>
 #include <QWidget>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "panel/session/review_scan.h"
 
-class QVTKOpenGLNativeWidget;
+namespace ew {
+class BodyCanvas;
+}  // namespace ew
 
 namespace ew::bridge {
 class Scene3D;
@@ -37,7 +39,6 @@ class BodyView final : public QWidget {
 
  public:
   BodyView(const ScanPair& scans, const Playback& playback, QWidget* parent = nullptr);
-  ~BodyView() override;
 
   void setHeat(Heat heat);
   void setPlanesShown(bool shown);
@@ -61,8 +62,9 @@ class BodyView final : public QWidget {
   };
   void takeScans();
   void makeRegions();
-  void moved();  ///< the camera, or the room
-  void render();
+  void restyle();
+  void look(const std::function<void(bridge::Scene3D&)>& change);
+  void moved();  ///< the camera, the room, or what is seen
   void paintOver(QPainter& painter);
   void makeStill();
   void paintRegions(QPainter& painter) const;
@@ -73,11 +75,10 @@ class BodyView final : public QWidget {
 
   const ScanPair& scans_;
   const Playback& playback_;
-  QVTKOpenGLNativeWidget* canvas_ = nullptr;
-  std::unique_ptr<bridge::Scene3D> scene_;
+  BodyCanvas* canvas_ = nullptr;
   Glass* glass_ = nullptr;
   Heat heat_ = Heat::none;
-  bool showsPlanes_ = true, renderAsked_ = false;
+  bool showsPlanes_ = true;
   const void* framedFor_ = nullptr;  ///< only compared
   std::vector<Region> regions_;
   std::optional<QPixmap> still_;  ///< all that does not change with time, as it is seen now

@@ -354,7 +354,7 @@ class View3DTest : public QObject {
   }
 
   void aKeptBodyIsNotDrawnAgainAndLooksAsIfItWere() {
-    auto* canvas = static_cast<ui::BodyCanvas*>(view_->canvas());
+    auto* canvas = static_cast<BodyCanvas*>(view_->canvas());
     vtkRenderer* lowest = canvas->renderWindow().GetRenderers()->GetFirstRenderer();
     QCOMPARE(lowest->GetLayer(), 0);
     int bodies = 0;
@@ -374,7 +374,7 @@ class View3DTest : public QObject {
     QVERIFY(moved != first);
     const std::vector<std::pair<const char*, std::function<void()>>> changes{
         {"nothing but the order to draw it", [this] { view_->setBodyOpacity(1.0); }},
-        {"another place of the viewer", [this] { view_->scene().orbit(0.2, 0.1); }},
+        {"another place of the viewer", [this] { view_->change([](bridge::Scene3D& scene) { scene.orbit(0.2, 0.1); }); }},
         {"other colours", [this] { view_->setDarkTheme(false); }},
         {"a body to look through", [this] { view_->setBodyOpacity(0.5); }},
         {"skin with a tint",
@@ -395,7 +395,7 @@ class View3DTest : public QObject {
   void manyChangesInOneTurnAreDrawnOnce() {
     settle();
     int draws = 0;
-    connect(static_cast<ui::BodyCanvas*>(view_->canvas()), &ui::BodyCanvas::drawn, this, [&] { ++draws; });
+    connect(static_cast<BodyCanvas*>(view_->canvas()), &BodyCanvas::drawn, this, [&] { ++draws; });
     for (int i = 0; i < 50; ++i) wheel(view_->canvas(), i % 2 == 0 ? 1 : -1);
     QTest::qWait(150);
     QVERIFY2(draws <= 3, qPrintable(QString::number(draws)));

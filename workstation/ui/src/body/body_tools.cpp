@@ -80,14 +80,17 @@ void BodyTools::followHandles() {
     isNudging_ = false;
     handles_ = next;
   }
-  bridge::Scene3D& scene = view_.scene();
   if (handles_ == nullptr) {
-    scene.clearHandles();
+    view_.change([](bridge::Scene3D& scene) { scene.clearHandles(); });
   } else {
-    scene.setHandles(renamed<frame::World, bridge::HandlesFrame>(handles_->shown.toWorld), handles_->shown.halfSize_mm);
+    show(*handles_);
   }
   use(used_);
-  view_.render();
+}
+
+void BodyTools::show(const HostOverlays::Handles& handles) {
+  view_.change([toWorld = renamed<frame::World, bridge::HandlesFrame>(handles.shown.toWorld),
+                halfSize_mm = handles.shown.halfSize_mm](bridge::Scene3D& scene) { scene.setHandles(toWorld, halfSize_mm); });
 }
 
 void BodyTools::followAsking() {
@@ -252,8 +255,7 @@ void BodyTools::take(const bridge::HandlesToWorld& toWorld, bool isOver) {
   const auto handles = handles_;  // whoever is told may give it back
   if (handles == nullptr) return;
   handles->shown.toWorld = renamed<frame::World, sdk::BodyHandles::Frame>(toWorld);
-  view_.scene().setHandles(toWorld, handles->shown.halfSize_mm);
-  view_.render();
+  show(*handles);
   Q_EMIT overChanged();
   if (handles->moved) handles->moved(handles->shown.toWorld, isOver);
 }
@@ -262,8 +264,7 @@ void BodyTools::use(const std::optional<Handle>& handle) {
   if (used_ && !handle && overlays_.asking() == nullptr) view_.canvas()->unsetCursor();
   if (used_ == handle) return;
   used_ = handle;
-  view_.scene().setUsedHandle(used_ ? &*used_ : nullptr);
-  view_.render();
+  view_.change([handle](bridge::Scene3D& scene) { scene.setUsedHandle(handle ? &*handle : nullptr); });
   Q_EMIT overChanged();
 }
 

@@ -50,6 +50,7 @@ class BodyTools final : public QObject {
   bool key(const QKeyEvent& event);
   void nudge(const std::string& command);
   void endNudge();
+  void show(const HostOverlays::Handles& handles);
   void take(const bridge::HandlesToWorld& toWorld, bool isOver);
   void endDrag(bool givesBack);
   void use(const std::optional<bridge::Handle>& handle);

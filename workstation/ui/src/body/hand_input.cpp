@@ -166,18 +166,15 @@ bool HandInput::moveInView(const QMouseEvent& event) {
       dragInView(at);
       break;
     case State::Drag::orbit:
-      view.scene().orbit(-kOrbitPerPixel_rad * by.x(), kOrbitPerPixel_rad * by.y());
-      view.render();
+      view.change([by](bridge::Scene3D& scene) { scene.orbit(-kOrbitPerPixel_rad * by.x(), kOrbitPerPixel_rad * by.y()); });
       break;
     case State::Drag::pan: {
       const double ratio = view.canvas()->devicePixelRatioF();
-      view.scene().pan({by.x() * ratio, by.y() * ratio});
-      view.render();
+      view.change([=](bridge::Scene3D& scene) { scene.pan({by.x() * ratio, by.y() * ratio}); });
       break;
     }
     case State::Drag::zoom:
-      view.scene().zoom(std::exp(-kZoomPerPixel * by.y()));
-      view.render();
+      view.change([by](bridge::Scene3D& scene) { scene.zoom(std::exp(-kZoomPerPixel * by.y())); });
       break;
     default: {
       const bool overProbe = state_->enabled && view.isProbeAt(event.pos());
@@ -237,8 +234,7 @@ bool HandInput::viewEvent(QEvent* event) {
     case QEvent::Gesture:
       if (auto* pinch = static_cast<QPinchGesture*>(static_cast<QGestureEvent*>(event)->gesture(Qt::PinchGesture))) {
         if ((pinch->changeFlags() & QPinchGesture::ScaleFactorChanged) != 0) {
-          state_->view->scene().zoom(pinch->scaleFactor());
-          state_->view->render();
+          state_->view->change([factor = pinch->scaleFactor()](bridge::Scene3D& scene) { scene.zoom(factor); });
         }
         return true;
       }

@@ -1,7 +1,5 @@
 #include "body/view3d.h"
 
-#include <vtkGenericOpenGLRenderWindow.h>
-
 #include <QElapsedTimer>
 #include <QEvent>
 #include <QGridLayout>
@@ -14,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "body/body_canvas.h"
+#include "ew/body/body_canvas.h"
 #include "ew/core/contract.h"
 #include "ew/widgets/focus_ring.h"
 #include "ew/widgets/handler_watch.h"
@@ -87,9 +85,7 @@ class Glass final : public QWidget {
 struct View3D::Parts {
   double opacity = 1.0;  ///< the user's choice
   std::optional<Aids> aids;
-  explicit Parts(View3D* view) : canvas(new BodyCanvas(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new QWidget(view)) {
-    scene = std::make_unique<bridge::Scene3D>(canvas->renderWindow());
-  }
+  explicit Parts(View3D* view) : canvas(new BodyCanvas(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new QWidget(view)) {}
 
   [[nodiscard]] glm::dvec2 device(const QPointF& at) const {
     const double ratio = canvas->devicePixelRatioF();
@@ -138,12 +134,10 @@ struct View3D::Parts {
     buttons->resize(std::max(grid->sizeHint().width(), std::min(room_px, even_px)), grid->sizeHint().height());
     return (count + columns - 1) / columns;
   }
-  std::unique_ptr<bridge::Scene3D> scene;
   std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
   std::function<void()> beforeDrawing;
   bool renderAsked = false;
   QElapsedTimer sinceDrawn;  ///< runs from the end of the last drawing
-  qint64 drawing_ms = 0;     ///< how long that took
   QTimer still;              ///< runs out when nothing has moved for a moment: then there is time for smooth edges
 };
 
@@ -191,8 +185,11 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   new FocusRing(*this, *parts_->canvas);
   parts_->still.setSingleShot(true);
   parts_->still.setInterval(250);
-  connect(&parts_->still, &QTimer::timeout, this, &View3D::renderNow);
-  parts_->canvas->drawAgain = [this] { draw(bridge::Scene3D::Edges::quick); };
+  connect(&parts_->still, &QTimer::timeout, this, &View3D::smoothEdges);
+  connect(parts_->canvas, &BodyCanvas::drawn, this, [this] {
+    parts_->sinceDrawn.start();
+    parts_->glass->update();  // what lies over it moves with the camera
+  });
   retranslate();
 }
 
@@ -227,60 +224,70 @@ QString View3D::defaultHint() const {
 
 void View3D::setMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
   EW_EXPECTS(mannequin != nullptr);
-  parts_->scene->setMannequin(std::move(mannequin));
+  parts_->canvas->change([mannequin = std::move(mannequin)](bridge::Scene3D& scene) { scene.setMannequin(mannequin); });
   render();
   Q_EMIT mannequinChanged();
 }
 
 std::shared_ptr<const Skin> View3D::skin() const {
-  const auto mannequin = parts_->scene->mannequin();
+  const auto mannequin = scene().mannequin();
   return mannequin != nullptr ? mannequin->skin : parts_->bareSkin;
 }
 
 void View3D::setCoverage(std::vector<float> shares) {
-  parts_->scene->setCoverage(std::move(shares));
-  render();
+  changeLooks([shares = std::move(shares)](bridge::Scene3D& scene) { scene.setCoverage(shares); });
 }
 
 void View3D::setVolumeBox(const Grid& grid) {
-  parts_->scene->setVolumeBox(grid);
-  render();
+  change([grid](bridge::Scene3D& scene) { scene.setVolumeBox(grid); });
 }
 
 void View3D::clearVolumeBox() {
-  parts_->scene->clearVolumeBox();
-  render();
+  change([](bridge::Scene3D& scene) { scene.clearVolumeBox(); });
 }
 
 void View3D::setProbe(const Probe& probe, double depth_mm, const Knobs& knobs) {
-  parts_->scene->setProbe(probe, depth_mm, knobs);
-  render();
+  change([=](bridge::Scene3D& scene) { scene.setProbe(probe, depth_mm, knobs); });
 }
 
 void View3D::setPose(const Pose& pose) {
-  parts_->scene->setPose(pose);
-  render();
+  change([pose](bridge::Scene3D& scene) { scene.setPose(pose); });
 }
 
 void View3D::setProbeVisible(bool visible) {
-  parts_->scene->setProbeVisible(visible);
-  render();
+  change([visible](bridge::Scene3D& scene) { scene.setProbeVisible(visible); });
 }
 
 void View3D::setFanImage(const DisplayImage& image, const DisplayGeometry& geometry) {
-  parts_->scene->setFanImage(image, geometry);
+  bringFanImage(image, geometry);
+  render();
+}
+
+void View3D::bringFanImage(const DisplayImage& image, const DisplayGeometry& geometry) {
+  const auto grey = std::make_shared<const GreyImage>(copyOf(image.grey));
+  const auto colour = std::make_shared<const Image<Rgba>>(copyOf(image.colour));
+  parts_->canvas->changeLooks([=](bridge::Scene3D& scene) { scene.setFanImage({viewOf(*grey), viewOf(*colour)}, geometry); });
+}
+
+void View3D::change(const std::function<void(bridge::Scene3D&)>& change) {
+  parts_->canvas->change(change);
+  render();
+}
+
+void View3D::changeLooks(std::function<void(bridge::Scene3D&)> change) {
+  parts_->canvas->changeLooks(std::move(change));
   render();
 }
 
 void View3D::clearFanImage() {
-  parts_->scene->clearFanImage();
-  render();
+  changeLooks([](bridge::Scene3D& scene) { scene.clearFanImage(); });
 }
 
 void View3D::setBeforeDrawing(std::function<void()> bring) { parts_->beforeDrawing = std::move(bring); }
 
 void View3D::setDarkTheme(bool dark) {
-  parts_->scene->setColours(dark ? bridge::darkColours() : bridge::lightColours());
+  parts_->canvas->changeLooks(
+      [colours = dark ? bridge::darkColours() : bridge::lightColours()](bridge::Scene3D& scene) { scene.setColours(colours); });
   render();
 }
 
@@ -296,53 +303,55 @@ void View3D::setAids(std::optional<Aids> aids) {
 
 void View3D::showAids() {
   Parts& p = *parts_;
-  p.scene->setBodyOpacity(!p.aids ? p.opacity : p.aids->translucent || p.aids->organs ? kTranslucent : 1.0);
-  p.scene->setBoxVisible(!p.aids || p.aids->box);
-  p.scene->setOrgans(p.aids ? p.aids->organs : nullptr);
+  const double opacity = !p.aids ? p.opacity : p.aids->translucent || p.aids->organs ? kTranslucent : 1.0;
+  p.canvas->changeLooks([opacity, aids = p.aids](bridge::Scene3D& scene) {
+    scene.setBodyOpacity(opacity);
+    scene.setBoxVisible(!aids || aids->box);
+    scene.setOrgans(aids ? aids->organs : nullptr);
+  });
   render();
 }
 
 void View3D::showFrom(bridge::CameraPreset preset) {
-  parts_->scene->showFrom(preset);
-  render();
+  change([preset](bridge::Scene3D& scene) { scene.showFrom(preset); });
 }
 
 void View3D::fitToVolume() {
-  parts_->scene->fitToVolume();
-  render();
+  change([](bridge::Scene3D& scene) { scene.fitToVolume(); });
 }
 
 void View3D::render() {
   if (parts_->renderAsked) return;
   parts_->renderAsked = true;
-  // At most a third of the time goes into it: with half of it, a hand's every second image waits for the body to be drawn. Without a
-  // graphics processor it takes time that the scan needs, and less of it.
-  const qint64 rest_ms = std::min((parts_->canvas->isSoftware() ? 10 : 2) * parts_->drawing_ms, kLongestRest_ms);
-  const qint64 rested_ms = parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
+  const BodyCanvas& canvas = *parts_->canvas;
+  // At most a third of the time goes into it, and without a graphics processor a tenth: there it takes what the scan could use.
+  const auto rest_ms = static_cast<qint64>(std::min((canvas.isSoftware() ? 10.0 : 2.0) * canvas.took_ms(), double{kLongestRest_ms}));
+  const qint64 rested_ms = canvas.isDrawing() ? 0 : parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
   // Not at the end of this turn: what is asked for in it, the scan's painting above all, comes first.
   const qint64 wait_ms = std::clamp(rest_ms - rested_ms, qint64{1}, kLongestRest_ms);
   QTimer::singleShot(static_cast<int>(wait_ms), Qt::PreciseTimer, this, [this] {
     if (!parts_->renderAsked) return;
-    draw(bridge::Scene3D::Edges::quick);
+    if (prepareDrawing()) parts_->canvas->draw(bridge::Scene3D::Edges::quick);
     parts_->still.start();
   });
 }
 
 void View3D::renderNow() {
   parts_->still.stop();
-  draw(bridge::Scene3D::Edges::smooth);
+  const HandlerWatch::Part part("waiting for the body");
+  if (prepareDrawing()) parts_->canvas->drawNow(bridge::Scene3D::Edges::smooth);
 }
 
-void View3D::draw(bridge::Scene3D::Edges edges) {
+void View3D::smoothEdges() {
+  if (prepareDrawing()) parts_->canvas->draw(bridge::Scene3D::Edges::smooth);
+}
+
+/// Brings what only a drawing needs. Without a context there is nothing to draw into; the widget asks again when it is shown.
+bool View3D::prepareDrawing() {
   parts_->renderAsked = false;
-  // Without a context there is nothing to draw into; the widget asks again when it is shown.
-  if (!isVisible() || !parts_->canvas->isValid()) return;
-  parts_->sinceDrawn.start();
-  const HandlerWatch::Part part("drawing the body");
+  if (!isVisible() || !parts_->canvas->isValid()) return false;
   if (parts_->beforeDrawing) parts_->beforeDrawing();
-  parts_->canvas->draw([this, edges] { parts_->scene->render(edges); });
-  parts_->drawing_ms = parts_->sinceDrawn.restart();
-  parts_->glass->update();  // what lies over it moves with the camera
+  return true;
 }
 
 void View3D::setOver(std::function<void(QPainter&)> paint) {
@@ -356,24 +365,23 @@ std::optional<Skin::Contact> View3D::contactAt(const QPoint& at) const {
   return skin()->hit(ray.from_mm, ray.direction);
 }
 
-bridge::Ray View3D::rayAt(const QPointF& at) const { return parts_->scene->rayAt(parts_->device(at)); }
+bridge::Ray View3D::rayAt(const QPointF& at) const { return scene().rayAt(parts_->device(at)); }
 
-bool View3D::isProbeAt(const QPoint& at) const { return parts_->scene->isProbeAt(parts_->device(at)); }
+bool View3D::isProbeAt(const QPoint& at) const { return scene().isProbeAt(parts_->device(at)); }
 
 QPointF View3D::pixelOf(const glm::dvec3& p_world_mm) const {
-  const glm::dvec2 at = parts_->scene->pixelOf(p_world_mm) / parts_->canvas->devicePixelRatioF();
+  const glm::dvec2 at = scene().pixelOf(p_world_mm) / parts_->canvas->devicePixelRatioF();
   return {at.x, at.y};
 }
 
 QWidget* View3D::canvas() const { return parts_->canvas; }
-bridge::Scene3D& View3D::scene() { return *parts_->scene; }
-const bridge::Scene3D& View3D::scene() const { return *parts_->scene; }
+const bridge::Scene3D& View3D::scene() const { return parts_->canvas->scene(); }
 
 /// The buttons have a row of their own above the body, so that no head lies under them; the hint lies over the body.
 void View3D::placeOverlays() {
   QLabel& hint = *parts_->hint;
   // In a narrow column the words would take the place of the body; the page of keys (F1) has them too.
-  const int cube_px = static_cast<int>(std::ceil(parts_->scene->cubeSide_px() / parts_->canvas->devicePixelRatioF()));
+  const int cube_px = static_cast<int>(std::ceil(scene().cubeSide_px() / parts_->canvas->devicePixelRatioF()));
   hint.setVisible(!hint.text().isEmpty() && width() >= kLeastForHint_px + cube_px);
   // A narrow view wraps the words; it never cuts them.
   hint.setWordWrap(false);

@@ -48,7 +48,9 @@ class View3D : public QWidget {
   /// Pixels and where they lie; copied, so the view may change afterwards.
   void setFanImage(const DisplayImage& image, const DisplayGeometry& geometry);
   void clearFanImage();  ///< the fan becomes a tinted pane
-  /// Called before each drawing, to bring into scene() what only a drawing needs: not every image of the scan is drawn here.
+  /// The same, and asks for no drawing.
+  void bringFanImage(const DisplayImage& image, const DisplayGeometry& geometry);
+  /// Called before each drawing, to bring what only a drawing needs: not every image of the scan is drawn here.
   void setBeforeDrawing(std::function<void()> bring);
 
   void setDarkTheme(bool dark);
@@ -65,10 +67,11 @@ class View3D : public QWidget {
   void showFrom(bridge::CameraPreset preset);
   void fitToVolume();  ///< looks at the volume box, or at the trunk when there is none
 
-  /// Draws once, soon: after what is to be painted now, and after a rest twice as long as the last drawing took, ten times without a
-  /// graphics processor, but no longer than 100 ms; edges are smoothed when nothing has moved for a quarter of a second.
+  /// Draws once, soon, on the canvas's own thread: after what is to be painted now, and after a rest twice as long as the last drawing
+  /// took, ten times without a graphics processor, but no longer than 100 ms; edges are smoothed when nothing has moved for a quarter of a
+  /// second.
   void render();
-  /// Draws at once with smooth edges, for screenshots; the image is complete when this returns.
+  /// Waits for a drawing with smooth edges, for screenshots; the image is complete when this returns.
   void renderNow();
 
   /// Where the ray through a pixel first meets the skin.
@@ -83,8 +86,12 @@ class View3D : public QWidget {
 
   /// The widget that receives mouse, wheel and keys.
   [[nodiscard]] QWidget* canvas() const;
-  [[nodiscard]] bridge::Scene3D& scene();
+  /// As it was asked for, whether it is drawn by now or not.
   [[nodiscard]] const bridge::Scene3D& scene() const;
+  /// Of the camera, handles and the like; what `change` has captured is its own.
+  void change(const std::function<void(bridge::Scene3D&)>& change);
+  /// The same of what scene() is not asked about, made where the body is drawn.
+  void changeLooks(std::function<void(bridge::Scene3D&)> change);
 
  Q_SIGNALS:
   void mannequinChanged();
@@ -95,7 +102,8 @@ class View3D : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  void draw(bridge::Scene3D::Edges edges);
+  [[nodiscard]] bool prepareDrawing();
+  void smoothEdges();
   void showAids();
   void retranslate();
   void placeOverlays();

@@ -99,7 +99,7 @@ void BodyAndProbe::showImage() {
 void BodyAndProbe::bringFan() {
   const Session& session = parts_.session;
   if (!session.subject() || session.fanImage().isEmpty()) return;
-  parts_.view3d->scene().setFanImage(session.fanImage(), session.fanGeometry());
+  parts_.view3d->bringFanImage(session.fanImage(), session.fanGeometry());
 }
 
 void BodyAndProbe::paintOver() {
@@ -122,11 +122,13 @@ void BodyAndProbe::showCoverageSoon() {
 
 void BodyAndProbe::showCoverage() {
   coverageSoon_.stop();
-  const auto mannequin = parts_.view3d->scene().mannequin();
-  if (!mannequin) return;
+  if (!parts_.view3d->scene().mannequin()) return;
   if (!parts_.session.subject()) return parts_.view3d->setCoverage({});
-  const bridge::SkinVertices skin = bridge::skinVerticesOf(*mannequin);
-  parts_.view3d->setCoverage(coverageOfSkin(parts_.session.recorded(), skin.points_mm, skin.outward));
+  // Where the body is drawn: a hundred thousand corners, of which nobody here asks.
+  parts_.view3d->changeLooks([recorded = parts_.session.recorded()](bridge::Scene3D& scene) {
+    const bridge::SkinVertices skin = bridge::skinVerticesOf(*scene.mannequin());
+    scene.setCoverage(coverageOfSkin(recorded, skin.points_mm, skin.outward));
+  });
 }
 
 void BodyAndProbe::sayWhyItRests() {

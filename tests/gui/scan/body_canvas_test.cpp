@@ -1,0 +1,198 @@
+// The canvas of the body on a screen of 125 %: it is drawn on a thread of its own, which nobody waits for.
+#include <vtkCallbackCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+
+#include <QApplication>
+#include <QOpenGLContext>
+#include <QSignalSpy>
+#include <QtTest>
+#include <condition_variable>
+#include <mutex>
+
+#include "ew/ui_test_door/body.h"
+#include "gui/support/window_fixture.h"
+
+namespace ew::ui::testing {
+namespace {
+
+/// Holds whatever is drawn next until it is let go.
+class Gate {
+ public:
+  explicit Gate(BodyCanvas& canvas) : canvas_(canvas) {
+    begun_->SetClientData(this);
+    begun_->SetCallback([](vtkObject*, unsigned long, void* gate, void*) { static_cast<Gate*>(gate)->pass(); });
+    canvas_.renderWindow().AddObserver(vtkCommand::StartEvent, begun_);
+  }
+  ~Gate() {
+    letGo();
+    waitUntil([this] { return !canvas_.isDrawing(); });
+    canvas_.renderWindow().RemoveObserver(begun_);
+  }
+  Gate(const Gate&) = delete;
+  Gate& operator=(const Gate&) = delete;
+  void letGo() {
+    {
+      const std::lock_guard lock(mutex_);
+      isOpen_ = true;
+    }
+    changed_.notify_all();
+  }
+  [[nodiscard]] int passed() const {
+    const std::lock_guard lock(mutex_);
+    return passed_;
+  }
+
+ private:
+  void pass() {
+    std::unique_lock lock(mutex_);
+    ++passed_;
+    changed_.wait(lock, [this] { return isOpen_; });
+  }
+  BodyCanvas& canvas_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  bool isOpen_ = false;
+  int passed_ = 0;
+  vtkNew<vtkCallbackCommand> begun_;
+};
+
+constexpr auto kQuick = bridge::Scene3D::Edges::quick;
+
+}  // namespace
+
+class BodyCanvasTest final : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<QWidget> window_;
+  BodyCanvas* canvas_ = nullptr;
+
+  [[nodiscard]] QImage seen() const { return canvas_->grab().toImage(); }
+  void lookFrom(bridge::CameraPreset preset) {
+    canvas_->change([preset](bridge::Scene3D& scene) { scene.showFrom(preset); });
+  }
+
+ private Q_SLOTS:
+  void init() {
+    window_ = std::make_unique<QWidget>();
+    window_->resize(600, 500);
+    QPalette magenta;
+    magenta.setColor(QPalette::Window, Qt::magenta);
+    window_->setPalette(magenta);
+    canvas_ = new BodyCanvas(window_.get());
+    canvas_->setPalette(QPalette(Qt::darkGray));
+    canvas_->setGeometry(10, 20, 501, 403);  // 12.5 and 626.25 pixels of the screen
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
+    QVERIFY(canvas_->isValid());
+    canvas_->drawNow(kQuick);
+    if (!QOpenGLContext::supportsThreadedOpenGL()) QSKIP("OpenGL knows one thread only");
+  }
+  void cleanup() { window_.reset(); }
+
+  void whoAsksForADrawingDoesNotWaitForIt() {
+    const QImage before = seen();
+    Gate gate(*canvas_);
+    QSignalSpy drawn(canvas_, &BodyCanvas::drawn);
+    canvas_->changeLooks([](bridge::Scene3D& scene) { scene.setColours(bridge::lightColours()); });
+    canvas_->draw(kQuick);
+    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    QVERIFY(canvas_->isDrawing());
+    QCOMPARE(drawn.count(), 0);
+    QCOMPARE(seen(), before);  // painted all the same
+    gate.letGo();
+    QVERIFY(waitUntil([&] { return drawn.count() == 1; }));
+    QVERIFY(seen() != before);
+  }
+
+  void ofSeveralThatAreAskedForMeanwhileTheLastAloneIsDrawn() {
+    Gate gate(*canvas_);
+    QSignalSpy drawn(canvas_, &BodyCanvas::drawn);
+    canvas_->draw(kQuick);
+    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    for (int n = 0; n < 20; ++n) {
+      canvas_->change([](bridge::Scene3D& scene) { scene.orbit(0.05, 0.0); });
+      canvas_->draw(kQuick);
+    }
+    gate.letGo();
+    QVERIFY(waitUntil([&] { return !canvas_->isDrawing(); }));
+    QTest::qWait(50);
+    QCOMPARE(gate.passed(), 2);
+    QCOMPARE(drawn.count(), 2);
+  }
+
+  /// Where a click goes is asked of one scene, and what is seen was drawn from the other: both look from the same place.
+  void whatIsDrawnIsSeenFromWhereQuestionsAreAnswered() {
+    Gate gate(*canvas_);
+    canvas_->draw(kQuick);
+    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    lookFrom(bridge::CameraPreset::left);
+    canvas_->change([](bridge::Scene3D& scene) { scene.pan({40.0, 25.0}); });
+    canvas_->resize(300, 460);
+    canvas_->change([](bridge::Scene3D& scene) {
+      scene.zoom(1.7);
+      scene.pan({-15.0, 60.0});
+      scene.orbit(0.3, -0.2);
+    });
+    glm::dvec2 drawn(0.0);
+    canvas_->changeLooks([&drawn](bridge::Scene3D& scene) { drawn = scene.pixelOf({30.0, -90.0, 120.0}); });
+    gate.letGo();
+    canvas_->drawNow(kQuick);
+    QCOMPARE(drawn, canvas_->scene().pixelOf({30.0, -90.0, 120.0}));
+    QVERIFY(drawn.x > 0.0 && drawn.y > 0.0);
+  }
+
+  void itIsClosedInTheMiddleOfADrawing() {
+    for (int n = 0; n < 5; ++n) {
+      auto canvas = std::make_unique<BodyCanvas>(nullptr);
+      canvas->resize(200, 200);
+      canvas->show();
+      QVERIFY(canvas->isValid());
+      canvas->draw(kQuick);
+      if (n % 2 == 1) QVERIFY(waitUntil([&] { return !canvas->isDrawing(); }));
+      canvas->draw(kQuick);
+    }
+  }
+
+  void aLargerPlaceIsFilledUntilItIsDrawn() {
+    const auto isGap = [](QRgb pixel) { return pixel == qRgb(0, 0, 0) || pixel == QColor(Qt::magenta).rgb(); };
+    Gate gate(*canvas_);
+    canvas_->resize(560, 470);
+    const QImage stretched = seen();
+    int gaps = 0;
+    for (int y = 0; y < stretched.height(); ++y)
+      for (int x = 0; x < stretched.width(); ++x) gaps += isGap(stretched.pixel(x, y)) ? 1 : 0;
+    QCOMPARE(gaps, 0);
+    gate.letGo();
+    canvas_->drawNow(kQuick);
+    QCOMPARE(seen().size(), QSize(700, 588));
+  }
+
+  void nothingOfBeforeIsLeftAtAnEdgeWithinAPixel() {
+    const double ratio = canvas_->devicePixelRatioF();
+    QCOMPARE(ratio, 1.25);
+    QImage screen((QSizeF(window_->size()) * ratio).toSize(), QImage::Format_RGB32);
+    screen.setDevicePixelRatio(ratio);
+    screen.fill(Qt::magenta);
+    window_->render(&screen);
+    // Of these the middle lies in the canvas.
+    const QRectF place(QPointF(canvas_->pos()) * ratio, QSizeF(canvas_->size()) * ratio);
+    int left = 0;
+    for (int y = 0; y < screen.height(); ++y)
+      for (int x = 0; x < screen.width(); ++x)
+        left += place.contains(QPointF(x + 0.5, y + 0.5)) && screen.pixel(x, y) == QColor(Qt::magenta).rgb() ? 1 : 0;
+    QCOMPARE(left, 0);
+  }
+};
+
+}  // namespace ew::ui::testing
+
+int main(int argc, char** argv) {
+  qputenv("QT_SCALE_FACTOR", "1.25");
+  QSurfaceFormat::setDefaultFormat(ew::ui::testing::windowFormat());
+  QApplication app(argc, argv);
+  ew::ui::testing::BodyCanvasTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "body_canvas_test.moc"

@@ -1,0 +1,96 @@
+#include "ew/body/body_canvas.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include <QMetaObject>
+#include <QPaintEvent>
+#include <QPainter>
+#include <cmath>
+#include <utility>
+
+#include "body_drawing.h"
+#include "ew/core/contract.h"
+
+namespace ew {
+
+BodyCanvas::BodyCanvas(QWidget* parent) : QWidget(parent), scene_(std::make_unique<bridge::Scene3D>(*asked_)) {
+  const auto tell = [this] {
+    QMetaObject::invokeMethod(
+        this, [this] { take(); }, Qt::QueuedConnection);
+  };
+  drawing_ = std::make_unique<BodyDrawing>(tell);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  asked_->SetReadyForRendering(false);
+  resizeScenes();
+}
+
+BodyCanvas::~BodyCanvas() = default;
+
+bool BodyCanvas::isValid() const { return drawing_->canDraw(); }
+bool BodyCanvas::isSoftware() const { return drawing_->isSoftware(); }
+bool BodyCanvas::isDrawing() const { return drawing_->isBusy(); }
+double BodyCanvas::took_ms() const { return drawing_->took_ms(); }
+vtkGenericOpenGLRenderWindow& BodyCanvas::renderWindow() const { return drawing_->renderWindow(); }
+
+void BodyCanvas::change(const Change& change) {
+  change(*scene_);
+  drawing_->change(change);
+}
+
+void BodyCanvas::changeLooks(Change change) { drawing_->change(std::move(change)); }
+
+/// All that is seen of the widget, where its edge lies within a pixel of the screen too.
+QSize BodyCanvas::size_px() const {
+  const double ratio = devicePixelRatioF();
+  return QSize(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio))).expandedTo({1, 1});
+}
+
+void BodyCanvas::resizeScenes() {
+  if (sized_px_ == size_px()) return;
+  sized_px_ = size_px();
+  asked_->SetSize(sized_px_.width(), sized_px_.height());
+  static_cast<void>(scene_->mmPerPixelAt(glm::dvec3(0.0)));
+  drawing_->resize(sized_px_);
+}
+
+void BodyCanvas::draw(bridge::Scene3D::Edges edges) {
+  EW_EXPECTS(isValid());
+  resizeScenes();
+  drawing_->draw(edges);
+}
+
+void BodyCanvas::drawNow(bridge::Scene3D::Edges edges) {
+  draw(edges);
+  drawing_->wait();
+  take();
+}
+
+void BodyCanvas::take() {
+  QImage newest = drawing_->takeImage();
+  if (newest.isNull()) return;  // drawNow() was earlier
+  image_ = std::move(newest);
+  update();
+  Q_EMIT drawn();
+}
+
+void BodyCanvas::paintEvent(QPaintEvent* event) {
+  QPainter painter(this);
+  if (image_.isNull()) return painter.fillRect(event->rect(), palette().color(QPalette::Window));
+  // Until it is drawn in its new size, or where it is moved to a screen of other pixels, the last one fills the place.
+  if (image_.size() != size_px()) {
+    if (sized_px_ != size_px() && isValid()) draw(bridge::Scene3D::Edges::quick);
+    image_.setDevicePixelRatio(1.0);
+    return painter.drawImage(rect(), image_);
+  }
+  const double ratio = devicePixelRatioF();
+  // The edge of the widget may lie within a pixel of the screen, which the image covers in part or not at all.
+  if (ratio != std::floor(ratio)) painter.fillRect(rect(), QColor(image_.pixel(image_.width() - 1, image_.height() - 1)));
+  image_.setDevicePixelRatio(ratio);
+  painter.drawImage(QPoint(0, 0), image_);
+}
+
+void BodyCanvas::resizeEvent(QResizeEvent*) { resizeScenes(); }
+
+void BodyCanvas::showEvent(QShowEvent*) { drawing_->begin(); }
+
+}  // namespace ew
