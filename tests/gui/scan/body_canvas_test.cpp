@@ -4,17 +4,30 @@
 #include <vtkNew.h>
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QSignalSpy>
 #include <QtTest>
 #include <condition_variable>
+#include <functional>
+#include <memory>
 #include <mutex>
 
-#include "ew/ui_test_door/body.h"
-#include "gui/support/window_fixture.h"
+#include "ew/body/body_canvas.h"
+#include "time_limit.h"
 
-namespace ew::ui::testing {
+namespace ew {
 namespace {
+
+bool waitUntil(const std::function<bool()>& ready) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!ready()) {
+    if (static_cast<double>(clock.elapsed()) > test::kPatience_ms) return false;
+    QTest::qWait(10);
+  }
+  return true;
+}
 
 /// Holds whatever is drawn next until it is let go.
 class Gate {
@@ -171,27 +184,30 @@ class BodyCanvasTest final : public QObject {
   void nothingOfBeforeIsLeftAtAnEdgeWithinAPixel() {
     const double ratio = canvas_->devicePixelRatioF();
     QCOMPARE(ratio, 1.25);
-    QImage screen((QSizeF(window_->size()) * ratio).toSize(), QImage::Format_RGB32);
-    screen.setDevicePixelRatio(ratio);
-    screen.fill(Qt::magenta);
-    window_->render(&screen);
-    // Of these the middle lies in the canvas.
-    const QRectF place(QPointF(canvas_->pos()) * ratio, QSizeF(canvas_->size()) * ratio);
-    int left = 0;
-    for (int y = 0; y < screen.height(); ++y)
-      for (int x = 0; x < screen.width(); ++x)
-        left += place.contains(QPointF(x + 0.5, y + 0.5)) && screen.pixel(x, y) == QColor(Qt::magenta).rgb() ? 1 : 0;
-    QCOMPARE(left, 0);
+    for (int n = 0; n < 8; ++n) {
+      canvas_->setGeometry(8 + n, 20 + n / 2, 40 + n / 3, 33 + n % 4);
+      canvas_->drawNow(kQuick);
+      QImage screen((QSizeF(window_->size()) * ratio).toSize(), QImage::Format_RGB32);
+      screen.setDevicePixelRatio(ratio);
+      screen.fill(Qt::magenta);
+      window_->render(&screen);
+      // Of these the middle lies in the canvas; on its edge it may be anybody's.
+      const QRectF place = QRectF(QPointF(canvas_->pos()) * ratio, QSizeF(canvas_->size()) * ratio).adjusted(0.01, 0.01, -0.01, -0.01);
+      int left = 0;
+      for (int y = 0; y < screen.height(); ++y)
+        for (int x = 0; x < screen.width(); ++x)
+          left += place.contains(QPointF(x + 0.5, y + 0.5)) && screen.pixel(x, y) == QColor(Qt::magenta).rgb() ? 1 : 0;
+      QVERIFY2(left == 0, qPrintable(QStringLiteral("%1 of geometry %2").arg(left).arg(n)));
+    }
   }
 };
 
-}  // namespace ew::ui::testing
+}  // namespace ew
 
 int main(int argc, char** argv) {
   qputenv("QT_SCALE_FACTOR", "1.25");
-  QSurfaceFormat::setDefaultFormat(ew::ui::testing::windowFormat());
   QApplication app(argc, argv);
-  ew::ui::testing::BodyCanvasTest test;
+  ew::BodyCanvasTest test;
   return QTest::qExec(&test, argc, argv);
 }
 
