@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "line_kernels.h"
+#include "pairs.h"
 
 namespace ew::detail {
 namespace {
@@ -186,7 +187,7 @@ EchoReverberation::Echo EchoReverberation::frontEcho(const Front& front, const f
   const int first = std::max(middle - aside, reach), count = std::min(middle + aside, layout_->columns - 1 - reach) + 1 - first;
   if (count <= 0) return {middle, 0.0F};
   amplitudes.resize(std::max(amplitudes.size(), static_cast<std::size_t>(count)));
-  envelopeOf({.pulse = layout_->pulse.data(), .reach = reach, .middleShare = 1.0F, .pairs = {}}, before + 2 * first, count,
+  envelopeOf({.pulse = layout_->pulse.data(), .reach = reach, .middleShare = 1.0F, .pairs = {}}, pairAt(before, first), count,
              amplitudes.data());
   const auto brightest = std::max_element(amplitudes.begin(), amplitudes.begin() + count);
   return *brightest > 0.0F ? Echo{first + static_cast<int>(brightest - amplitudes.begin()), *brightest} : Echo{middle, 0.0F};
@@ -257,7 +258,7 @@ void EchoReverberation::addRing(std::uint32_t key, double first, Fall kind, cons
   const auto end = std::partition_point(fall.begin(), fall.begin() + room, [&](float part) { return amplitude * part > faintest; });
   const auto count = static_cast<int>(end - fall.begin());
   lengthen(ring, static_cast<std::size_t>(count));
-  addFalling(ring.wave.data(), fall.data(), amplitude, count, field.data() + 2 * (echo.column + 1));
+  addFalling(ring.wave.data(), fall.data(), amplitude, count, pairAt(field.data(), echo.column + 1));
 }
 
 void EchoReverberation::bounce(const Front& front, const Echo& echo, const float* before, std::span<float> field) const {
@@ -271,8 +272,8 @@ void EchoReverberation::bounce(const Front& front, const Echo& echo, const float
     const int begin = layout_->columnPadding + n * range;
     const int first = n == 1 ? behind : 0, count = std::min(range + behind, layout_->columns - begin) - first;
     if (count <= 0) break;
-    const QuarterTurnRow copy{before + 2 * (layout_->columnPadding + first), static_cast<float>(amplitudeOf(level_db)), n % 4};
-    addTurned(&copy, 1, count, field.data() + 2 * (begin + first));
+    const QuarterTurnRow copy{pairAt(before, layout_->columnPadding + first), static_cast<float>(amplitudeOf(level_db)), n % 4};
+    addTurned(&copy, 1, count, pairAt(field.data(), begin + first));
   }
 }
 
@@ -313,8 +314,8 @@ void EchoReverberation::haze(int line, const float* before, std::span<float> fie
     const int count = std::min(kBlock, layout_->columns - begin);
     const float strength = counted > 0 ? std::sqrt(share * power / static_cast<float>(counted)) : 0.0F;
     const std::uint32_t key = spread(place_ + static_cast<std::uint32_t>(line) * 0x9E3779B9U + static_cast<std::uint32_t>(begin));
-    addWeighted(noise.numbers.data() + key % NoiseTable::kSize, strength, 2 * count, field.data() + 2 * begin);
-    float met = squaresOf(before + 2 * begin, 2 * count);
+    addWeighted(noise.numbers.data() + key % NoiseTable::kSize, strength, 2 * count, pairAt(field.data(), begin));
+    float met = squaresOf(pairAt(before, begin), 2 * count);
     if (counted > 0) {
       const float most = std::max(kMostOfMean * power / static_cast<float>(counted), faintest);
       met = std::min(met, most * static_cast<float>(count));
@@ -329,7 +330,7 @@ void EchoReverberation::clutter(int line, const float* before, std::span<float> 
   for (std::size_t n = 0; n < kClutter_mm.size(); ++n)
     if (const Copy& copy = copies[n]; copy.delay < layout_->columns) {
       const QuarterTurnRow row{before, copy.weight, copy.quarter};
-      addTurned(&row, 1, layout_->columns - copy.delay, field.data() + 2 * copy.delay);
+      addTurned(&row, 1, layout_->columns - copy.delay, pairAt(field.data(), copy.delay));
     }
 }
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "pairs.h"
+
 namespace ew::detail {
 namespace {
 
@@ -199,7 +201,7 @@ void EchoSurfaces::announce(const SurfaceEchoTask& echoes, int line, float range
   if (column >= echoes.columns - 1) return;
   const int first = line * echoes.rowsPerLine - echoes.rowsPerLine / 2 + echoes.rowPadding;
   for (int n = std::max(first, 0); n < std::min(first + echoes.rowsPerLine, echoes.rows); ++n)
-    __builtin_prefetch(echoes.field + static_cast<std::ptrdiff_t>(n) * echoes.stride + 2 * column, 1);
+    __builtin_prefetch(pairAt(echoes.field + static_cast<std::ptrdiff_t>(n) * echoes.stride, column), 1);
 }
 
 /// As the surface lies now: tissue that gives way turns it. Not a number where that cannot be told.
@@ -221,7 +223,7 @@ void EchoSurfaces::add(int row, double range_mm, double amplitude, double rough,
   const auto c = static_cast<std::size_t>(whole);
   const auto scale = static_cast<double>(scale_[c]);
   const double re = amplitude * scale, im = rough * scale;
-  std::int32_t* first = fine + at * stride + 2 * whole;
+  std::int32_t* first = pairAt(fine + at * stride, whole);
   const auto rounded = [](double x) { return static_cast<std::int32_t>(std::floor(x + 0.5)); };
   first[0] += rounded((1.0 - part) * re);
   first[1] += rounded((1.0 - part) * im);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pairs.h"
+
 // The instruction sets left out would only repeat the code of a neighbour.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -23,18 +25,18 @@ using namespace ew::HWY_NAMESPACE;  // deposits-inl.h, powers-inl.h
 template <int kVectors, class D>
 HWY_INLINE void lateralSums(D d, const LateralTask& task, const std::int32_t* middle, int x, float* out) {
   const hn::RebindToSigned<D> di;
-  const auto step = static_cast<int>(hn::Lanes(d));
+  const auto step = static_cast<std::ptrdiff_t>(hn::Lanes(d));
   hn::Vec<D> sum[kVectors];
-  for (int v = 0; v < kVectors; ++v)
+  for (std::ptrdiff_t v = 0; v < kVectors; ++v)
     sum[v] = hn::Mul(hn::LoadU(d, task.weights + x + v * step), hn::ConvertTo(d, hn::LoadU(di, middle + x + v * step)));
   for (int t = 1; t <= task.reach; ++t) {
     const std::ptrdiff_t off = t * task.stride, weights = static_cast<std::ptrdiff_t>(t) * task.width;
-    for (int v = 0; v < kVectors; ++v) {
+    for (std::ptrdiff_t v = 0; v < kVectors; ++v) {
       const auto both = hn::Add(hn::LoadU(di, middle - off + x + v * step), hn::LoadU(di, middle + off + x + v * step));
       sum[v] = hn::Add(sum[v], hn::Mul(hn::LoadU(d, task.weights + weights + x + v * step), hn::ConvertTo(d, both)));
     }
   }
-  for (int v = 0; v < kVectors; ++v) hn::StoreU(hn::Mul(sum[v], hn::Set(d, task.unit)), d, out + x + v * step);
+  for (std::ptrdiff_t v = 0; v < kVectors; ++v) hn::StoreU(hn::Mul(sum[v], hn::Set(d, task.unit)), d, out + x + v * step);
 }
 
 void filterLaterallyOf(const LateralTask& task) {
@@ -88,8 +90,8 @@ void scaleComplexOf(const GainSteps& gain, int count, float* inOut) {
     const auto lanes = static_cast<int>(hn::Lanes(d));
     HWY_ALIGN float twice[2 * hn::MaxLanes(hn::ScalableTag<float>())];
     hn::StoreInterleaved2(factor, factor, d, twice);
-    for (int half = 0; half < 2; ++half) {
-      float* at = inOut + 2 * x + half * lanes;
+    for (std::ptrdiff_t half = 0; half < 2; ++half) {
+      float* at = pairAt(inOut, x) + half * lanes;
       hn::StoreU(hn::Mul(hn::LoadU(d, at), hn::LoadU(d, twice + half * lanes)), d, at);
     }
   });
@@ -152,9 +154,9 @@ void addComplexNoiseOf(std::uint64_t key, const float* strength, int count, floa
     };
     const auto scale = hn::LoadU(d, strength + x);
     hn::StoreInterleaved2(hn::Mul(part(first), scale), hn::Mul(part(second), scale), d, noise);
-    for (int half = 0; half < 2; ++half) {
-      float* at = inOut + 2 * x + half * static_cast<int>(hn::Lanes(d));
-      hn::StoreU(hn::Add(hn::LoadU(d, at), hn::LoadU(d, noise + half * static_cast<int>(hn::Lanes(d)))), d, at);
+    for (std::size_t half = 0; half < 2; ++half) {
+      float* at = pairAt(inOut, x) + half * hn::Lanes(d);
+      hn::StoreU(hn::Add(hn::LoadU(d, at), hn::LoadU(d, noise + half * hn::Lanes(d))), d, at);
     }
   });
 }
@@ -199,7 +201,7 @@ void envelopeOfLooks(const EnvelopeTask& task, const float* in, int samples, flo
   }
   forColumns(samples, [&](auto d, int s) HWY_ATTR {
     using D = decltype(d);
-    const float* at = in + 2 * s;
+    const float* at = pairAt(in, s);
     const Interleaved<D> own = loadInterleaved(d, at);
     Interleaved<D> middle{hn::Zero(d), hn::Zero(d)}, even[kPairs + 1], odd[kPairs + 1];
     if constexpr (kMiddle) middle = scaled(d, own, task.pulse[0]);
@@ -208,7 +210,7 @@ void envelopeOfLooks(const EnvelopeTask& task, const float* in, int samples, flo
       odd[p] = {hn::Zero(d), hn::Zero(d)};
     }
     for (int t = 1; t <= task.reach; ++t) {
-      const Interleaved<D> before = loadInterleaved(d, at - 2 * t), after = loadInterleaved(d, at + 2 * t);
+      const Interleaved<D> before = loadInterleaved(d, pairAt(at, -t)), after = loadInterleaved(d, pairAt(at, t));
       const Interleaved<D> sum{hn::Add(before.low, after.low), hn::Add(before.high, after.high)};
       if constexpr (kMiddle) addScaled(d, sum, task.pulse[t], middle);
       if constexpr (kPairs > 0) {
@@ -298,9 +300,9 @@ void addFallingOf(const float* in, const float* factor, float weight, int count,
     const auto strength = hn::Mul(hn::LoadU(d, factor + n), hn::Set(d, weight));
     HWY_ALIGN float twice[2 * hn::MaxLanes(hn::ScalableTag<float>())];
     hn::StoreInterleaved2(strength, strength, d, twice);
-    for (int half = 0; half < 2; ++half) {
-      float* at = out + 2 * n + half * lanes;
-      const auto more = hn::Mul(hn::LoadU(d, in + 2 * n + half * lanes), hn::LoadU(d, twice + half * lanes));
+    for (std::ptrdiff_t half = 0; half < 2; ++half) {
+      float* at = pairAt(out, n) + half * lanes;
+      const auto more = hn::Mul(hn::LoadU(d, pairAt(in, n) + half * lanes), hn::LoadU(d, twice + half * lanes));
       hn::StoreU(hn::Add(hn::LoadU(d, at), more), d, at);
     }
   });

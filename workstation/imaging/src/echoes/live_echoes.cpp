@@ -7,6 +7,7 @@
 #include "effects/spread_bits.h"
 #include "ew/imaging/effects/noise.h"
 #include "line_kernels.h"
+#include "pairs.h"
 
 namespace ew::detail {
 namespace {
@@ -174,7 +175,7 @@ void LiveEchoes::reverberate(const SliceSource& labels, const Transform<frame::V
   bands.run(static_cast<int>(layout_.grid.lines.size()), [&](int first, int count, int slot) {
     EchoReverberation::Scratch& mine = scratch_[static_cast<std::size_t>(slot)].reverberation;
     for (int line = first; line < first + count; ++line)
-      reverberation_.add(line, {lineAt(line), static_cast<std::size_t>(2 * layout_.columns)}, mine);
+      reverberation_.add(line, {lineAt(line), 2 * static_cast<std::size_t>(layout_.columns)}, mine);
   });
 }
 
@@ -202,9 +203,9 @@ void LiveEchoes::addHaze(int line, std::span<float> out) {
     for (const Lobe& lobe : lobes_) {
       const int other = line + lobe.offset[static_cast<std::size_t>(tile)];
       if (other < 0 || other >= lines) continue;
-      rows[static_cast<std::size_t>(seen++)] = {lineAt(other) + std::ptrdiff_t{2} * first, lobe.weight, lobe.quarter};
+      rows[static_cast<std::size_t>(seen++)] = {pairAt(lineAt(other), first), lobe.weight, lobe.quarter};
     }
-    if (seen > 0) addTurned(rows.data(), seen, count, out.data() + 2 * first);
+    if (seen > 0) addTurned(rows.data(), seen, count, pairAt(out.data(), first));
   }
 }
 
@@ -215,18 +216,18 @@ void LiveEchoes::takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> e
   const EnvelopeTask pulse{layout_.pulse.data(), static_cast<int>(layout_.pulse.size()) - 1, layout_.middleShare, layout_.lookPairs};
   bands.runEach((echoes.width + kGroup - 1) / kGroup, [&](int group, int slot) {
     Scratch& mine = scratch_[static_cast<std::size_t>(slot)];
-    mine.line.resize(std::max(mine.line.size(), static_cast<std::size_t>(2 * layout_.columns)));
-    mine.levels.resize(static_cast<std::size_t>(kGroup * samples));
+    mine.line.resize(std::max(mine.line.size(), 2 * static_cast<std::size_t>(layout_.columns)));
+    mine.levels.resize(static_cast<std::size_t>(kGroup) * static_cast<std::size_t>(samples));
     const int first = kGroup * group, count = std::min(kGroup, echoes.width - first);
     for (int n = 0; n < count; ++n) {
       const float* own = lineAt(first + n);
-      std::copy(own, own + 2 * layout_.columns, mine.line.begin());
+      std::copy(own, pairAt(own, layout_.columns), mine.line.begin());
       addHaze(first + n, mine.line);
       if (noiseKey_) {
         const std::uint64_t key = spreadBits(*noiseKey_ + static_cast<std::uint64_t>(first + n) * 0x9e3779b97f4a7c15ULL);
         addComplexNoise(key, noise_.data(), layout_.columns, mine.line.data());
       }
-      envelopeOf(pulse, mine.line.data() + 2 * layout_.columnPadding, samples,
+      envelopeOf(pulse, pairAt(mine.line.data(), layout_.columnPadding), samples,
                  mine.levels.data() + static_cast<std::ptrdiff_t>(n) * samples);
     }
     for (int s = 0; s < samples; ++s) {

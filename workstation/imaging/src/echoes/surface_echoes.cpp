@@ -142,10 +142,11 @@ struct Sheet {
 HWY_INLINE void addRows(const SurfaceEchoTask& task, I line, hn::Mask<DI> isSeen, const Sheet& sheet, F weight, Pending& pending) {
   const D d;
   const DI di;
-  const auto firstRow = hn::Add(hn::Mul(line, hn::Set(di, task.rowsPerLine)), hn::Set(di, task.rowPadding - task.rowsPerLine / 2));
+  const int middleRow = task.rowsPerLine / 2;
+  const auto firstRow = hn::Add(hn::Mul(line, hn::Set(di, task.rowsPerLine)), hn::Set(di, task.rowPadding - middleRow));
   const auto leanOfRow = times(sheet.lean, plus(set(task.spacingAtFace_mm), times(sheet.range_mm, set(task.spacingPerMm))));
   for (int n = 0; n < task.rowsPerLine; ++n) {
-    const auto range_mm = plus(sheet.range_mm, times(leanOfRow, set(static_cast<float>(n - task.rowsPerLine / 2))));
+    const auto range_mm = plus(sheet.range_mm, times(leanOfRow, set(static_cast<float>(n - middleRow))));
     const auto column = plus(set(task.firstColumn), times(range_mm, set(task.columnsPerMm)));
     const auto row = hn::Add(firstRow, hn::Set(di, n));
     const auto isOnRow = hn::And(hn::Gt(row, hn::Set(di, -1)), hn::Lt(row, hn::Set(di, task.rows)));
