@@ -16,6 +16,7 @@
 #include "ew/core/contract.h"
 #include "ew/widgets/focus_ring.h"
 #include "ew/widgets/handler_watch.h"
+#include "ew/widgets/later.h"
 #include "ew/widgets/look.h"
 
 namespace ew::ui {
@@ -329,7 +330,7 @@ void View3D::render() {
   const qint64 rested_ms = canvas.isDrawing() ? 0 : parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
   // Not at the end of this turn: what is asked for in it, the scan's painting above all, comes first.
   const qint64 wait_ms = std::clamp(rest_ms - rested_ms, qint64{1}, kLongestRest_ms);
-  QTimer::singleShot(static_cast<int>(wait_ms), Qt::PreciseTimer, this, [this] {
+  callLater(static_cast<int>(wait_ms), this, [this] {
     if (!parts_->renderAsked) return;
     if (prepareDrawing()) parts_->canvas->draw(bridge::Scene3D::Edges::quick);
     parts_->still.start();

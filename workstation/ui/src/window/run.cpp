@@ -19,6 +19,7 @@
 #include "ew/core/version.h"
 #include "ew/ui/main_window.h"
 #include "ew/widgets/apply_theme.h"
+#include "ew/widgets/later.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "scan/session.h"
@@ -149,11 +150,11 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
   app.attempt([&] {
     if (!isScreenshot) {
       window.prepareCases();
-      QTimer::singleShot(0, &window, [&window] {
+      callLater(0, &window, [&window] {
         window.offerKeptEdits();
         window.offerUnsavedWork();
       });
-      QTimer::singleShot(0, &window, &MainWindow::offerTour);
+      callLater(0, &window, &MainWindow::offerTour);
     }
     if (options.workspace == "author") window.setWorkspace(Workspace::author);
   });
