@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <chrono>
+#include <new>
 #include <numeric>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -127,6 +132,85 @@ TEST(Bands, StayReadyForOneStepAfterAnotherOfAFrame) {
     EXPECT_EQ(from, expectedFrom) << threads;
     EXPECT_EQ(serial, expectedSerial) << threads;
     EXPECT_EQ(clashes, 0) << threads;
+  }
+}
+
+/// Whether a second slot comes to the items of a job before this one is over. A busy machine may take its time.
+class SecondSlot {
+ public:
+  bool comes(int slot) {
+    seen_.at(static_cast<std::size_t>(slot)) = true;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (std::chrono::steady_clock::now() < end) {
+      if (std::count_if(seen_.begin(), seen_.end(), [](const auto& seen) { return seen.load(); }) > 1) return true;
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    return false;
+  }
+
+ private:
+  std::array<std::atomic<bool>, 8> seen_{};
+};
+
+TEST(Bands, HaveOtherThreadsHelpInEveryStepOfAFrameAlsoAfterTheySlept) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "for want of a second processor";
+  Bands bands(2);
+  for (int frame = 0; frame < 5; ++frame)
+    bands.together([&] {
+      for (int step = 0; step < 4; ++step) {
+        SecondSlot second;
+        bands.runEach(2, [&](int, int slot) { EXPECT_TRUE(second.comes(slot)) << frame << ", " << step; });
+        std::this_thread::sleep_for(std::chrono::milliseconds(step));  // longer than anybody stays awake
+      }
+    });
+}
+
+TEST(Bands, SeveralOwnersMayMakeFramesAtTheSameTime) {
+  std::atomic<int> rows = 0;
+  const auto makeFrames = [&] {
+    Bands bands(8);  // more than there are processors
+    for (int frame = 0; frame < 50; ++frame)
+      bands.together([&] {
+        for (int step = 0; step < 5; ++step) bands.run(64, [&](int, int count, int) { rows += count; });
+      });
+  };
+  std::thread other(makeFrames);
+  makeFrames();
+  other.join();
+  EXPECT_EQ(rows, 2 * 50 * 5 * 64);
+}
+
+TEST(Bands, StayReadyOnceForFramesWithinFrames) {
+  Bands bands(2);
+  int steps = 0;
+  bands.together([&] {
+    bands.together([&] { bands.runEach(2, [&](int item, int) { steps += item == 0 ? 1 : 0; }); });
+    bands.runEach(2, [&](int item, int) { steps += item == 0 ? 1 : 0; });
+  });
+  EXPECT_EQ(steps, 2);
+}
+
+TEST(Bands, ThrowOnWhatAnItemOrAFrameThrowsAndGoOn) {
+  for (const int threads : {1, 2, 3}) {
+    Bands bands(threads);
+    for (int thrower = 0; thrower < 12; ++thrower) {
+      const auto throwing = [&](int item, int) {
+        if (item == thrower) throw std::bad_alloc();
+      };
+      EXPECT_THROW(bands.runEach(12, throwing), std::bad_alloc);
+      int reached = 0;
+      EXPECT_THROW(bands.together([&] {
+        ++reached;
+        bands.runEach(12, throwing);
+        ++reached;
+      }),
+                   std::bad_alloc);
+      EXPECT_EQ(reached, 1);
+      EXPECT_THROW(bands.together([] { throw std::length_error("between two runs"); }), std::length_error);
+      std::atomic<int> items = 0;
+      bands.together([&] { bands.runEach(12, [&](int, int) { ++items; }); });
+      EXPECT_EQ(items, 12) << threads;
+    }
   }
 }
 

@@ -8,8 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
+#include <exception>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 #include "ew/core/contract.h"
 #include "ew/core/parallel.h"
@@ -60,61 +64,96 @@ class Job {
   std::array<Share, kMostShares> shares_;
 };
 
-/// Waits a little, and longer the longer it lasts.
-void waitALittle(int already) {
-  constexpr int kSpins = 2000;  // some ten microseconds
-  if (already > kSpins) return std::this_thread::yield();
+/// Whether something comes about within the next moments, asked all the time; whoever wakes from sleep comes later than that.
+template <class Done>
+bool comesSoon(const Done& isDone) {
+  constexpr std::chrono::microseconds kSoon(50);
+  constexpr int kAtATime = 16;
+  for (const auto end = std::chrono::steady_clock::now() + kSoon; std::chrono::steady_clock::now() < end;)
+    for (int n = 0; n < kAtATime; ++n) {
+      if (isDone()) return true;
 #if defined(__x86_64__)
-  __builtin_ia32_pause();
+      __builtin_ia32_pause();
 #endif
+    }
+  return false;
 }
 
-/// Threads that stay ready for one job after another of a leader.
+/// What was thrown first on one of several threads, for the one that waits for them all.
+class FirstThrown {
+ public:
+  template <class Work>
+  void watch(const Work& work) {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!thrown_) thrown_ = std::current_exception();
+    }
+  }
+  /// Nobody is watched meanwhile.
+  void throwOn() {
+    if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::exception_ptr thrown_;
+};
+
+/// Threads that stay ready for one job after another of a leader. Who waits longer than a moment sleeps.
 class Crew {
  public:
   [[nodiscard]] bool isLedHere() const { return leader_.load(std::memory_order_relaxed) == std::this_thread::get_id(); }
   void begin(int slot) {
+    EW_EXPECTS(open_ == kEnded);
     slot_ = slot;
-    ended_ = false;
+    open_ = kClosed;
     leader_.store(std::this_thread::get_id(), std::memory_order_relaxed);
   }
   void end() {
     leader_.store({}, std::memory_order_relaxed);
-    ended_ = true;
+    open_ = kEnded;
+    open_.notify_all();
   }
   /// Of the leader. Who helps counts itself as inside before it looks whether the job is still open, and the leader looks who is inside
   /// after it closed the job: a helper that has not come yet is not waited for.
   void lead(int items, int takers, void* work, Job::Call call) {
+    EW_EXPECTS(open_ == kClosed);  // an item runs nothing on the same bands
     job_.set(items, takers, work, call);
-    open_ = ++number_;
-    job_.take(slot_);
+    number_ = std::max(number_ + 1, kFirst);  // it begins anew after four thousand million jobs
+    open_ = number_;
+    open_.notify_all();
+    thrown_.watch([&] { job_.take(slot_); });
     open_ = kClosed;
-    for (int n = 0; inside_ != 0; ++n) waitALittle(n);
+    if (!comesSoon([&] { return inside_ == 0; }))
+      for (int inside = inside_; inside != 0; inside = inside_) inside_.wait(inside);
+    thrown_.throwOn();
   }
   void help(int slot) {
-    std::uint64_t last = kClosed;
-    for (int idle = 0; !ended_; ++idle) {
-      if (const std::uint64_t seen = open_; seen == kClosed || seen == last) {
-        waitALittle(idle);
+    std::uint32_t last = kClosed;
+    for (std::uint32_t seen = open_; seen != kEnded; seen = open_) {
+      const auto isSame = [&] { return seen == kClosed || seen == last; };
+      if (isSame()) {
+        if (!comesSoon([&] { return open_ != seen; })) open_.wait(seen);
         continue;
       }
       ++inside_;
-      if (const std::uint64_t own = open_; own != kClosed) {
-        job_.take(slot);
+      if (const std::uint32_t own = open_; own >= kFirst) {
+        thrown_.watch([&] { job_.take(slot); });
         last = own;
       }
-      --inside_;
-      idle = 0;
+      if (--inside_ == 0) inside_.notify_all();
     }
   }
 
  private:
-  static constexpr std::uint64_t kClosed = 0;
+  static constexpr std::uint32_t kClosed = 0, kEnded = 1, kFirst = 2;
   Job job_;
-  int slot_ = 0;              ///< the leader's
-  std::uint64_t number_ = 0;  ///< of jobs so far
-  alignas(64) std::atomic<std::uint64_t> open_{kClosed};
-  std::atomic<bool> ended_{true};
+  FirstThrown thrown_;
+  int slot_ = 0;                                         ///< the leader's
+  std::uint32_t number_ = kFirst;                        ///< of the last job
+  alignas(64) std::atomic<std::uint32_t> open_{kEnded};  ///< the job's number, or none is open, or none will be
   alignas(64) std::atomic<int> inside_{0};
   std::atomic<std::thread::id> leader_{};
 };
@@ -153,28 +192,35 @@ void Bands::runEachErased(int items, void* work, Erased call) {
   if (arena_->crew.isLedHere()) return arena_->crew.lead(items, threads_, work, call);
   Job job;
   job.set(items, threads_, work, call);
+  FirstThrown thrown;
+  const auto take = [&](int slot) { thrown.watch([&] { job.take(slot); }); };
   const int takers = std::min(threads_, items);
 #ifdef __SANITIZE_THREAD__
   // oneTBB is built without the sanitizer, which would not see how a thread is handed its band.
-  callOnThreads(takers, threads_, [&](int slot) { job.take(slot); });
+  callOnThreads(takers, threads_, take);
 #else
   arena_->arena.execute([&] {
     tbb::parallel_for(
-        0, takers, [&](int) { job.take(tbb::this_task_arena::current_thread_index()); }, tbb::simple_partitioner());
+        0, takers, [&](int) { take(tbb::this_task_arena::current_thread_index()); }, tbb::simple_partitioner());
   });
 #endif
+  thrown.throwOn();
 }
 
 void Bands::togetherErased(void* frame, Erased call) {
-  if (!arena_) return call(frame, 0, 0, 0);
+  if (!arena_ || arena_->crew.isLedHere()) return call(frame, 0, 0, 0);
   Crew& crew = arena_->crew;
+  FirstThrown thrown;
+  const auto lead = [&](int slot) {
+    thrown.watch([&] { call(frame, 0, 0, slot); });
+    crew.end();
+  };
 #ifdef __SANITIZE_THREAD__
   // Who helps stays until the frame ends, so that the caller, which is the first, is left one of the calls.
   crew.begin(0);
   callOnThreads(threads_, threads_, [&](int slot) {
     if (slot != 0 || !crew.isLedHere()) return crew.help(slot);
-    call(frame, 0, 0, slot);
-    crew.end();
+    lead(slot);
   });
 #else
   arena_->arena.execute([&] {
@@ -182,11 +228,11 @@ void Bands::togetherErased(void* frame, Erased call) {
     tbb::task_group helpers;
     crew.begin(slotHere());
     for (int n = 1; n < arena_->arena.max_concurrency(); ++n) helpers.run([&] { crew.help(slotHere()); });
-    call(frame, 0, 0, slotHere());
-    crew.end();
+    lead(slotHere());
     helpers.wait();
   });
 #endif
+  thrown.throwOn();
 }
 
 }  // namespace ew

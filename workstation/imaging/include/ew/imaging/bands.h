@@ -21,7 +21,7 @@ class Bands {
   /// Calls work(firstRow, rowCount, slot) until every row of 0 .. rows - 1 was handed out once, and returns when all calls have. Two calls
   /// with the same `slot`, 0 <= slot < threads(), never overlap: scratch memory is kept per slot.
   /// @param rows   >= 0; with one thread there is a single call
-  /// @param work   does not throw
+  /// @param work   runs nothing on these bands itself; what it throws is thrown on here, once all calls have returned
   template <class Work>
   void run(int rows, Work&& work) {
     using Plain = std::remove_reference_t<Work>;
@@ -39,8 +39,8 @@ class Bands {
   }
 
   /// Calls frame() on this thread, for the time of which the other threads stay ready: what it runs needs nobody to be woken. They take
-  /// processors meanwhile, so its parts between two runs are short.
-  /// @param frame does not throw; nobody else runs anything on these bands meanwhile
+  /// processors for some 50 microseconds after each run, then they sleep.
+  /// @param frame nobody else runs anything on these bands meanwhile; what it throws is thrown on here
   template <class Frame>
   void together(Frame&& frame) {
     using Plain = std::remove_reference_t<Frame>;
