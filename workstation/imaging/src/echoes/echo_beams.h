@@ -8,6 +8,8 @@
 
 namespace ew::detail {
 
+inline constexpr double kLateralSigmas = 3.0;  ///< how far beside the outermost lines, in standard deviations, tissue is seen
+
 /// The two-way point spread function of a probe with its settings: Gaussian in every direction, amplitude exp(-x^2 / 2 sigma^2). With z the
 /// depth, L the wavelength, D the aperture, F a transmit focus and s = 1.4 L / 2.355 (width of an apodised aperture's focus a F-number):
 ///   transmit   t = s N sqrt(1 + ((z - F) / Z)^2), N = max(2, F / D), Z = 2 pi (s N)^2 / L; each depth from the focus that is narrowest

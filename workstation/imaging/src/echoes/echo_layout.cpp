@@ -9,7 +9,6 @@
 namespace ew::detail {
 namespace {
 
-constexpr double kLateralReach = 3.0;  // standard deviations of the lateral beam
 constexpr double kRowsPerSigma = 2.0;  // of the fine grid, at the narrowest place of the beam
 constexpr double kFastRowsPerSigma = 1.4;
 constexpr int kMostPadding = 64;      // rows beside the fan
@@ -27,7 +26,7 @@ void layRows(EchoLayout& layout) {
   double widest = 1.0;
   for (int s = 0; s < layout.grid.samples; ++s) {
     const double depth_mm = layout.grid.depth_mm(s);
-    widest = std::max(widest, kLateralReach * layout.beams.lateralSigma_mm(depth_mm) / std::max(layout.rowSpacing_mm(depth_mm), 1e-6));
+    widest = std::max(widest, kLateralSigmas * layout.beams.lateralSigma_mm(depth_mm) / std::max(layout.rowSpacing_mm(depth_mm), 1e-6));
   }
   layout.rowPadding = static_cast<int>(std::ceil(std::min<double>(widest, kMostPadding)));
   layout.rows = (lines - 1) * layout.rowsPerLine + 1 + 2 * layout.rowPadding;
@@ -52,7 +51,7 @@ void layLateral(EchoLayout& layout) {
           static_cast<float>(std::pow(10.0, 0.05 * layout.beams.beamGain_db(depth_mm)));
       spacing[static_cast<std::size_t>(c)] = std::max(layout.rowSpacing_mm(depth_mm), 1e-6);
       sigma[static_cast<std::size_t>(c)] = layout.beams.lateralSigma_mm(depth_mm) / spacing[static_cast<std::size_t>(c)];
-      reach = std::max(reach, static_cast<int>(std::ceil(kLateralReach * sigma[static_cast<std::size_t>(c)])));
+      reach = std::max(reach, static_cast<int>(std::ceil(kLateralSigmas * sigma[static_cast<std::size_t>(c)])));
     }
     reach = std::min(reach, layout.rowPadding);
     std::vector<float>& weights = layout.lateral[static_cast<std::size_t>(tile)];

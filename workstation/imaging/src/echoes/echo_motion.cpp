@@ -19,12 +19,10 @@ constexpr double kBeyondNodes = 0.12;  // of the differences
 constexpr double kBeyondNodes_mm = 0.3;
 
 constexpr int kFacePlaces = 33;
-constexpr int kSmoothPlaces = 3;           // to either side
-constexpr double kFarthestSkin_mm = 12.0;  // below the skin; a face that stands deeper presses no more
+constexpr int kSmoothPlaces = 3;  // to either side
 constexpr double kSkinStep_mm = 0.4;
 constexpr double kGel_mm = 3.0;
 constexpr double kLeastPress_mm = 0.3;
-constexpr double kGives_mm = 35.0;
 constexpr double kStands_mm = 60.0;  // what lies deeper is not moved
 constexpr double kFades_mm = 15.0;   // towards there
 constexpr double kBeyondStands_mm = 12.0;

@@ -14,6 +14,10 @@
 
 namespace ew::detail {
 
+// Of tissue that gives way to a face, which EchoMotion::press tells.
+inline constexpr double kFarthestSkin_mm = 12.0;  ///< below the skin; a face that stands deeper presses no more
+inline constexpr double kGives_mm = 35.0;
+
 /// Where the tissue of a frame has gone: forward for scatterers, which take their place with them, and backward for lines, which ask at
 /// each of their samples what rests there. Everything in the probe frame; "at rest" is where tissue would lie in a body at rest.
 class EchoMotion {

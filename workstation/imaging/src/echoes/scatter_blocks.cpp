@@ -11,10 +11,8 @@ namespace ew::detail {
 namespace {
 
 constexpr double kDecibelPerLevel = 60.0 / 255.0;
-constexpr double kLateralMargin = 3.0;  // standard deviations of the lateral beam that are seen beside the fan
-constexpr double kBent_mm = 1.5;        // the lens bends ranges by less, and a scatterer is shared by two columns
-constexpr double kPiece_mm = 20.0;      // more than a block's diagonal, so that pieces that are not neighbours stay apart
-constexpr int kAngles = 17;             // across the fan, of the box around a piece of it
+constexpr double kBent_mm = 1.5;  // the lens bends ranges by less, and a scatterer is shared by two columns
+constexpr int kAngles = 17;       // across the fan, of the box around a piece of it
 
 /// A piece of the slab: a box in the probe frame, and ranges.
 struct Piece {
@@ -58,7 +56,7 @@ Piece pieceOf(const EchoLayout& layout, const BlockSize& size, int number) {
   const double shallow_mm = nearest_mm - size.radius_mm, deep_mm = farthest_mm + size.radius_mm;
   const EchoBeams& beams = layout.beams;
   piece.reach_mm = layout.effect.reach * std::max(beams.elevationalSigma_mm(shallow_mm), beams.elevationalSigma_mm(deep_mm));
-  piece.beside_mm = kLateralMargin * std::max(beams.lateralSigma_mm(deep_mm), beams.lateralSigma_mm(shallow_mm));
+  piece.beside_mm = kLateralSigmas * std::max(beams.lateralSigma_mm(deep_mm), beams.lateralSigma_mm(shallow_mm));
   piece.tangent = std::tan(layout.fan.steering_rad);
   piece.cosine = std::cos(layout.fan.steering_rad);
   piece.halfAngleSine = std::sin(layout.fan.halfAngle_rad);
@@ -181,7 +179,8 @@ DepthRange reachedFrom(const EchoLayout& layout, int piece) {
           piece + 1 == piecesOf(layout) ? kEverything_mm : (piece + 1) * kPiece_mm + kReached_mm};
 }
 
-int piecesOf(const EchoLayout& layout) { return std::max(1, static_cast<int>(layout.depth_mm / kPiece_mm)); }
+int piecesIn(double depth_mm) { return std::max(1, static_cast<int>(depth_mm / kPiece_mm)); }
+int piecesOf(const EchoLayout& layout) { return piecesIn(layout.depth_mm); }
 
 namespace {
 

@@ -97,6 +97,9 @@ struct EchoPlace {
 /// The slab that the beams see is cut across them into pieces. A block belongs to the piece in which its middle lies, so that each is met
 /// once; what two pieces that are not neighbours add to the field does not overlap.
 [[nodiscard]] int piecesOf(const EchoLayout& layout);
+/// Of a slab so deep. The last one is up to twice as thick as the others.
+[[nodiscard]] int piecesIn(double depth_mm);
+inline constexpr double kPiece_mm = 20.0;  ///< more than a block's diagonal, so that pieces that are not neighbours stay apart
 struct DepthRange {
   double near_mm = 0.0, far_mm = 0.0;
   [[nodiscard]] bool has(double depth_mm) const { return depth_mm >= near_mm && depth_mm < far_mm; }
