@@ -2959,6 +2959,10 @@
         <translation>Was das Bild zeigt, wird erzeugt</translation>
     </message>
     <message>
+        <source>Looking what the images show</source>
+        <translation>Es wird gesucht, was die Bilder zeigen</translation>
+    </message>
+    <message>
         <source>Building the virtual patient</source>
         <translation>Der virtuelle Patient wird erzeugt</translation>
     </message>

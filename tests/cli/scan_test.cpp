@@ -210,6 +210,30 @@ TEST_F(ScanOfACase, CastsTheStonesShadowAwayFromTheProbe) {
   }
 }
 
+TEST_F(ScanOfACase, MakesNoMoreOfItThanTheImageShowsAndSaysSo) {
+  std::filesystem::create_directories(folder / "cache");
+  writeText(folder / "cache/speed.json", R"({"voxels": 50.0})");  // a machine so slow that a part is worth it
+  const auto saysSo = [](const Outcome& outcome) { return outcome.err.find("The case is not prepared") != std::string::npos; };
+  for (const char* image : {"part.mha", "again.mha"}) {
+    const auto outcome = run({"scan", folder / "case", "--size", "400x300", "-o", folder / image});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(saysSo(outcome)) << image << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find("case prepare " + (folder / "case")), std::string::npos) << outcome.err;
+  }
+  // A body that breathes is looked at elsewhere.
+  const auto breathing = run({"scan", folder / "case", "--size", "400x300", "--breath", "0.5", "-o", folder / "breath.mha"});
+  ASSERT_EQ(breathing.status, 0) << breathing.err;
+  EXPECT_FALSE(saysSo(breathing)) << breathing.err;
+  const auto whole = run({"scan", folder / "case", "--size", "400x300", "-o", folder / "whole.mha"});
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  EXPECT_FALSE(saysSo(whole)) << "all of it is there now";
+  const auto part = readImage(folder / "part.mha");
+  ASSERT_TRUE(part) << part.error();
+  EXPECT_EQ(*part, *readImage(folder / "again.mha"));
+  EXPECT_EQ(*part, *readImage(folder / "whole.mha"));
+  EXPECT_NE(*part, *readImage(folder / "breath.mha"));
+}
+
 TEST_F(ScanOfACase, DrawsAContactSheetThatCarriesTheWarning) {
   const auto outcome = run({"scan", folder / "case", "--size", "160x120", "--contact-sheet", folder / "sheet.png"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;

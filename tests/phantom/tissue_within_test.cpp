@@ -1,9 +1,12 @@
 // A part of a patient's tissue is what the whole has there.
 #include "ew/phantom/tissue_within.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <random>
+#include <set>
 #include <string>
 
 #include "ew/phantom/speckle.h"
@@ -16,7 +19,7 @@ using testing::Folder;
 using testing::patientOf;
 
 constexpr double kSpacing_mm = 0.8;
-constexpr int kBlock = 8;  // voxels along each side of what is painted at once
+constexpr int kBlock = 4;  // voxels along each side of what is painted at once
 
 std::string ball(const std::string& name, const glm::dvec3& centre_mm, const glm::dvec3& radii_mm, const std::string& more) {
   const auto three = [](const glm::dvec3& v) {
@@ -78,8 +81,18 @@ VoxelPatient wholeOf(const Patient& patient) {
   return std::move(*made);
 }
 
-TissuePart partOf(const Patient& patient, const std::vector<Capsule>& capsules, int threads = 0) {
-  auto made = tissueWithin(patient, capsules, {.spacing_mm = kSpacing_mm, .threads = threads}, noProgress());
+VoxelBlocks blocksAt(const Patient& patient, const std::vector<Capsule>& capsules,
+                     const std::vector<glm::dmat4>& places = {glm::dmat4(1.0)}) {
+  auto blocks = voxelBlocksAt({capsules, places}, boxOf(patient), kSpacing_mm, 1.0, noProgress());
+  if (!blocks || !*blocks) {
+    ADD_FAILURE() << (blocks ? Error{} : blocks.error());
+    std::abort();
+  }
+  return std::move(**blocks);
+}
+
+VoxelPatient partOf(const Patient& patient, const std::vector<Capsule>& capsules, int threads = 0) {
+  auto made = tissueWithin(patient, blocksAt(patient, capsules), {.threads = threads}, noProgress());
   if (!made) {
     ADD_FAILURE() << made.error();
     std::abort();
@@ -98,9 +111,9 @@ TEST_P(TissueWithin, IsThatOfTheWholeInsideTheCapsulesAndNothingFarBesideThem) {
   const auto patient = patientIn(GetParam());
   const VoxelPatient whole = wholeOf(*patient);
   const std::vector<Capsule> capsules{{{-20.0, 3.0, -8.0}, {18.0, -6.0, 9.0}, 2.5}, {{4.0, 22.0, 4.0}, {4.0, 22.0, 4.0}, 3.0}};
-  const TissuePart part = partOf(*patient, capsules);
-  ASSERT_EQ(part.maps.grid, whole.maps->grid);
-  const Grid& grid = part.maps.grid;
+  const VoxelPatient part = partOf(*patient, capsules);
+  ASSERT_EQ(part.volume.grid, whole.maps->grid);
+  const Grid& grid = part.volume.grid;
   std::size_t inside = 0, surfaces = 0, leftOut = 0;
   for (int k = 0; k < grid.dims.z; ++k)
     for (int j = 0; j < grid.dims.y; ++j)
@@ -112,13 +125,13 @@ TEST_P(TissueWithin, IsThatOfTheWholeInsideTheCapsulesAndNothingFarBesideThem) {
         if (beyond_mm <= 0.0) {
           ++inside;
           ASSERT_EQ(part.labels[at], whole.labels[at]) << i << " " << j << " " << k;
-          ASSERT_EQ(part.maps.level[at], whole.maps->level[at]) << i << " " << j << " " << k;
-          ASSERT_EQ(part.maps.surfaceDistance[at], whole.maps->surfaceDistance[at]) << i << " " << j << " " << k;
-          ASSERT_EQ(surfaceAt(part.maps, at), surfaceAt(*whole.maps, at)) << i << " " << j << " " << k;
-          surfaces += part.maps.surfaceKind[at] != 0 ? 1 : 0;
+          ASSERT_EQ(part.maps->level[at], whole.maps->level[at]) << i << " " << j << " " << k;
+          ASSERT_EQ(part.maps->surfaceDistance[at], whole.maps->surfaceDistance[at]) << i << " " << j << " " << k;
+          ASSERT_EQ(surfaceAt(*part.maps, at), surfaceAt(*whole.maps, at)) << i << " " << j << " " << k;
+          surfaces += part.maps->surfaceKind[at] != 0 ? 1 : 0;
         } else if (beyond_mm > TissueMaps::kSurfaceReach_mm + 2.0 * kSpacing_mm + 2.0 * kBlock * kSpacing_mm) {
           leftOut += whole.maps->level[at] != 0 ? 1 : 0;
-          ASSERT_EQ(part.maps.level[at], 0) << i << " " << j << " " << k;
+          ASSERT_EQ(part.maps->level[at], 0) << i << " " << j << " " << k;
           ASSERT_EQ(part.labels[at], 0) << i << " " << j << " " << k;
         }
       }
@@ -130,44 +143,71 @@ TEST_P(TissueWithin, IsThatOfTheWholeInsideTheCapsulesAndNothingFarBesideThem) {
 TEST_P(TissueWithin, IsTheWholeWhereACapsuleHoldsAllOfIt) {
   const auto patient = patientIn(GetParam());
   const VoxelPatient whole = wholeOf(*patient);
-  const TissuePart all = partOf(*patient, {{glm::dvec3(0.0), glm::dvec3(1.0), 100.0}});
+  const VoxelPatient all = partOf(*patient, {{glm::dvec3(0.0), glm::dvec3(1.0), 100.0}});
   EXPECT_EQ(all.labels, whole.labels);
-  EXPECT_TRUE(all.maps == *whole.maps);
+  EXPECT_TRUE(*all.maps == *whole.maps);
 }
 
 TEST(TissuePart, IsTheSameOnAnyNumberOfThreads) {
   const auto patient = patientIn(11);
   const std::vector<Capsule> capsules{{{-20.0, 3.0, -8.0}, {18.0, -6.0, 9.0}, 3.0}};
-  const TissuePart one = partOf(*patient, capsules, 1);
+  const VoxelPatient one = partOf(*patient, capsules, 1);
   for (const int threads : {2, 5}) {
-    const TissuePart several = partOf(*patient, capsules, threads);
+    const VoxelPatient several = partOf(*patient, capsules, threads);
     EXPECT_EQ(several.labels, one.labels) << threads;
-    EXPECT_TRUE(several.maps == one.maps) << threads;
+    EXPECT_TRUE(*several.maps == *one.maps) << threads;
   }
 }
 
 TEST(TissuePart, SaysHowMuchOfThePatientItIs) {
   const auto patient = patientIn(12);
-  const Bounds box = boxOf(*patient);
-  const std::vector<Capsule> small{{glm::dvec3(0.0), glm::dvec3(0.0), 1.0}}, all{{glm::dvec3(0.0), glm::dvec3(0.0), 100.0}};
-  EXPECT_EQ(shareWithin(box, kSpacing_mm, {}), 0.0);
-  EXPECT_EQ(shareWithin(box, kSpacing_mm, all), 1.0);
+  const auto shareOf = [&](const std::vector<Capsule>& capsules) { return blocksAt(*patient, capsules).share; };
+  EXPECT_EQ(shareOf({}), 0.0);
+  EXPECT_EQ(shareOf({{glm::dvec3(0.0), glm::dvec3(0.0), 100.0}}), 1.0);
   // A ball of 1 mm, the reach of surfaces, and blocks that are met by half.
-  EXPECT_GT(shareWithin(box, kSpacing_mm, small), 4.0 / 3.0 * 3.14 * std::pow(6.5, 3) / std::pow(60.0, 3));
-  EXPECT_LT(shareWithin(box, kSpacing_mm, small), std::pow(2.0 * 6.5 + 2.0 * kBlock * kSpacing_mm, 3) / std::pow(60.0, 3));
+  const double ball_mm = 1.0 + TissueMaps::kSurfaceReach_mm + 2.0 * kSpacing_mm, met_mm = std::sqrt(3.0) * kBlock * kSpacing_mm;
+  const auto ballShare = [](double radius_mm) { return 4.0 / 3.0 * std::numbers::pi * std::pow(radius_mm / 60.0, 3); };
+  const double small = shareOf({{glm::dvec3(0.0), glm::dvec3(0.0), 1.0}});
+  EXPECT_GT(small, ballShare(ball_mm));
+  EXPECT_LT(small, ballShare(ball_mm + met_mm));
   const std::vector<Capsule> elsewhere{{glm::dvec3(500.0), glm::dvec3(600.0), 10.0}};
-  EXPECT_EQ(shareWithin(box, kSpacing_mm, elsewhere), 0.0);
-  const TissuePart nothing = partOf(*patient, elsewhere);
-  EXPECT_EQ(nothing.labels, std::vector<std::uint8_t>(nothing.maps.grid.voxelCount(), 0));
+  EXPECT_EQ(shareOf(elsewhere), 0.0);
+  const VoxelPatient nothing = partOf(*patient, elsewhere);
+  EXPECT_EQ(nothing.labels, std::vector<std::uint8_t>(nothing.volume.grid.voxelCount(), 0));
+}
+
+TEST(TissuePart, IsLookedForFromEveryPlaceAndNoFurtherThanItIsWorth) {
+  const auto patient = patientIn(12);
+  const std::vector<Capsule> capsule{{glm::dvec3(0.0), {2.0, 0.0, 0.0}, 1.0}};
+  const auto movedBy = [](const glm::dvec3& by_mm) {
+    glm::dmat4 move(1.0);
+    move[3] = glm::dvec4(by_mm, 1.0);
+    return move;
+  };
+  const VoxelBlocks here = blocksAt(*patient, capsule), there = blocksAt(*patient, {{{0.0, 20.0, 0.0}, {2.0, 20.0, 0.0}, 1.0}});
+  const VoxelBlocks both = blocksAt(*patient, capsule, {movedBy({0.0, 0.0, 0.0}), movedBy({0.0, 20.0, 0.0}), movedBy({0.0, 20.0, 0.0})});
+  EXPECT_DOUBLE_EQ(both.share, here.share + there.share);
+  const auto asNumbers = [](const std::vector<glm::ivec3>& first) {
+    std::set<std::array<int, 3>> numbers;
+    for (const glm::ivec3& each : first) numbers.insert({each.x, each.y, each.z});
+    return numbers;
+  };
+  auto expected = asNumbers(here.first);
+  expected.merge(asNumbers(there.first));
+  EXPECT_EQ(asNumbers(both.first), expected);
+  const auto tooMany = voxelBlocksAt({capsule, {glm::dmat4(1.0)}}, boxOf(*patient), kSpacing_mm, 0.5 * here.share, noProgress());
+  ASSERT_TRUE(tooMany) << tooMany.error();
+  EXPECT_FALSE(*tooMany);
 }
 
 TEST(TissuePart, IsRefusedAndStoppedAsTheWholeIs) {
   const auto patient = patientIn(13);
   const std::vector<Capsule> capsules{{glm::dvec3(0.0), glm::dvec3(0.0), 10.0}};
-  const auto bad = tissueWithin(*patient, capsules, {.spacing_mm = 0.0}, noProgress());
+  const SeenPlaces seen{capsules, {glm::dmat4(1.0)}};
+  const auto bad = voxelBlocksAt(seen, boxOf(*patient), 0.0, 1.0, noProgress());
   ASSERT_FALSE(bad);
   EXPECT_EQ(bad.error().code, ErrorCode::badField);
-  const auto large = tissueWithin(*patient, capsules, {.spacing_mm = kSpacing_mm, .maxBytes = 1000}, noProgress());
+  const auto large = tissueWithin(*patient, blocksAt(*patient, capsules), {.maxBytes = 1000}, noProgress());
   ASSERT_FALSE(large);
   EXPECT_EQ(large.error().code, ErrorCode::tooLarge);
   class Stop final : public Progress {
@@ -175,7 +215,10 @@ TEST(TissuePart, IsRefusedAndStoppedAsTheWholeIs) {
     void report(const Message&, double) override {}
     [[nodiscard]] bool cancelRequested() const override { return true; }
   } stop;
-  const auto stopped = tissueWithin(*patient, capsules, {.spacing_mm = kSpacing_mm}, stop);
+  const auto notLookedFor = voxelBlocksAt(seen, boxOf(*patient), kSpacing_mm, 1.0, stop);
+  ASSERT_FALSE(notLookedFor);
+  EXPECT_EQ(notLookedFor.error().code, ErrorCode::cancelled);
+  const auto stopped = tissueWithin(*patient, blocksAt(*patient, capsules), {}, stop);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
 }

@@ -12,6 +12,7 @@
 #include "ew/imaging/display.h"
 #include "ew/library/case_start.h"
 #include "ew/library/preparation.h"
+#include "ew/scanning/first_image.h"
 #include "ew/scanning/scanner.h"
 #include "library/coarse_case.h"
 
@@ -68,6 +69,16 @@ class SeenContentsOf : public ::testing::TestWithParam<std::string> {
       images.knobs.steering_rad = probe.kind == ProbeKind::linear ? 0.2 : 0.0;
       images.poses.resize(1);
       all.push_back(images);
+      // A piece of the slab that is nearly twice as thick as the others, the finer slice, and lines that lean.
+      images.knobs.depth_mm = 79.0;
+      images.knobs.quality = Quality::cubic;
+      images.knobs.compoundAngles = 1;
+      images.knobs.harmonic = false;
+      images.knobs.trapezoid = probe.kind == ProbeKind::linear;
+      all.push_back(images);
+      images.knobs.quality = Quality::weave;
+      images.knobs.trapezoid = false;
+      all.push_back(images);
     }
     return all;
   }
@@ -98,6 +109,10 @@ TEST_P(SeenContentsOf, GiveThePixelsOfTheWhole) {
       const ScanState state{.probe = images.probe, .knobs = images.knobs, .pan = {}, .scene = opened_.scene, .pose = pose, .gaps_mm = {}};
       const auto expected = imageOf(subjectOf(opened_, *whole), state);
       EXPECT_EQ(imageOf(subjectOf(opened_, part.contents), state), expected) << images.probe.id << ", " << part.share;
+      // Lifted off at one end.
+      ScanState other = state;
+      other.gaps_mm = {0.0, 3.0};
+      EXPECT_EQ(imageOf(subjectOf(opened_, part.contents), other), imageOf(subjectOf(opened_, *whole), other)) << images.probe.id;
       EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](int grey) { return grey > 20; }), 1000) << images.probe.id;
     }
   const auto there = readSeenContents(opened_, asked().front(), noProgress());

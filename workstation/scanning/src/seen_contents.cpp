@@ -9,14 +9,7 @@
 namespace ew {
 
 Result<std::optional<SeenContents>> readSeenContents(const Case& opened, const AskedImages& images, Progress& progress) {
-  std::vector<Capsule> seen;
-  const std::vector<Capsule> ofFrame = reachOfFrame(images.probe, images.knobs, opened.scene);
-  for (const Pose& pose : images.poses) {
-    if (pose.status != PoseStatus::ok || !checkRigid(pose.probeToWorld.matrix)) continue;  // black, wherever it is
-    const auto inWorld = [&](const glm::dvec3& p_mm) { return (pose.probeToWorld * Point<frame::Probe>{p_mm}).at; };
-    for (const Capsule& each : ofFrame) seen.push_back({inWorld(each.from_mm), inWorld(each.to_mm), each.radius_mm});
-  }
-  auto part = loadSeenPart(opened, seen, progress);
+  auto part = loadSeenPart(opened, reachOfFrame(images.probe, images.knobs, opened.scene), images.poses, progress);
   if (!part) return passOn(part.error());
   if (!*part) return std::nullopt;
   CaseEcho& echo = (*part)->echo;

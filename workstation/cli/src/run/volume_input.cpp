@@ -1,6 +1,7 @@
 #include "run/volume_input.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "ew/core/ending.h"
 #include "ew/core/numbers.h"
@@ -93,7 +94,7 @@ Result<CaseContents> readCaseContents(Run& run, const Case& opened) {
 
 Result<CaseContents> readCaseContentsFor(Run& run, const Case& opened, const AskedImages& images) {
   if (auto kept = run.input(opened.folder / "case.json"); !kept) return passOn(kept.error());
-  double share = 0.0;
+  std::optional<double> share;  // of what was made
   auto contents = [&]() -> Result<CaseContents> {
     const StepClock clock(run.report, "read");
     PartOfProgress reading(run.progress, 0.0, kShareOfReading);
@@ -105,10 +106,10 @@ Result<CaseContents> readCaseContentsFor(Run& run, const Case& opened, const Ask
   }();
   if (!contents) return passOn(contents.error());
   for (const auto& note : contents->notes) run.remark(note);
-  if (share > 0.0)
+  if (share)
     run.remark(
         say<"The case is not prepared; %1 % of it were made, which is what is shown here, and not kept. 'echoweave case prepare %2' makes "
-            "all of it, once.">(rounded(std::max(1.0, 100.0 * share), 0), opened.id));
+            "all of it, once.">(rounded(std::max(1.0, 100.0 * *share), 0), opened.folder.string()));
   return contents;
 }
 

@@ -15,7 +15,7 @@ namespace ew::phantom {
 /// The grid of a patient's voxels, from the box that they fill.
 [[nodiscard]] Grid voxelGridOver(const Bounds& box, double spacing_mm);
 
-/// Voxels along each side of a block that asks only for the organs around it, and of those within it.
+/// Voxels along each side of a block that asks only for the organs around it: of a whole patient, and of a part, which smaller ones hug.
 inline constexpr int kPaintedBlock = 8;
 inline constexpr int kInnerBlock = 4;
 /// From the middle of a block of so many voxels along each side to the farthest of its voxels' middles.
@@ -35,13 +35,11 @@ class OrganFinder {
  public:
   OrganFinder(const Patient& patient, double spacing_mm);
 
-  /// All of them, by priority.
-  [[nodiscard]] const std::vector<const Organ*>& all() const { return all_; }
   /// Whether no voxel of a block of so many voxels about this point lies in the body.
   /// @param asksForPart whether voxels count of which only a part lies in it
   [[nodiscard]] bool isOutside(const glm::dvec3& centre_mm, int voxels, bool asksForPart) const;
-  /// Those of some organs that can matter to such a block, by priority.
-  void select(const glm::dvec3& centre_mm, int voxels, const std::vector<const Organ*>& among, std::vector<const Organ*>& near) const;
+  /// Those that can matter to such a block, by priority.
+  void select(const glm::dvec3& centre_mm, int voxels, std::vector<const Organ*>& near) const;
   /// @param distances_mm becomes those of the organs that are not hidden here, exact where anything asks for them (distanceUpTo_mm)
   /// @return the label of the point: 0 outside all of them
   [[nodiscard]] int distancesAt(const glm::dvec3& p_mm, const std::vector<const Organ*>& near, std::vector<double>& distances_mm) const;

@@ -272,7 +272,7 @@ void VolumePainter::paintBlock(const glm::ivec3& first, const Strip& strip, Arou
   const glm::ivec3 last = glm::min(first + kBlock, grid_.dims);
   const glm::dvec3 centre = phantom::blockCentre_mm(grid_, first, kBlock);
   if (finder_.isOutside(centre, kBlock, made_.maps.has_value())) return;
-  finder_.select(centre, kBlock, finder_.all(), around.near);
+  finder_.select(centre, kBlock, around.near);
   for (int k = first.z; k < last.z; ++k) {
     for (int j = first.y; j < last.y; ++j) {
       if (stopped_) return;

@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "ew/core/capsule.h"
+#include "ew/core/pose.h"
 #include "ew/library/case.h"
 
 namespace ew {
@@ -16,9 +18,10 @@ struct SeenPart {
 
 /// The part of a case that comes as a recipe without sweeps, is not prepared yet and takes its time, as long as most of it can be left out:
 /// it comes within seconds, and nothing is kept. Empty: the whole is there, is there as soon, or is asked for.
-/// @param seen_world what images look at (reachOfFrame), in the world
+/// @param seen_probe what images look at (reachOfFrame), in the probe's frame
+/// @param poses of the images; those at which nothing can be seen ask for nothing
 /// @error as loadCaseVolume
-[[nodiscard]] Result<std::optional<SeenPart>> loadSeenPart(const Case& opened, std::span<const Capsule> seen_world, Progress& progress,
-                                                           const PreparationOptions& options = {});
+[[nodiscard]] Result<std::optional<SeenPart>> loadSeenPart(const Case& opened, std::vector<Capsule> seen_probe, std::span<const Pose> poses,
+                                                           Progress& progress, const PreparationOptions& options = {});
 
 }  // namespace ew

@@ -1,40 +1,49 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "ew/core/capsule.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
-#include "ew/imaging/tissue_maps.h"
 #include "ew/phantom/patient.h"
 
 namespace ew {
 
-/// Labels and maps of tissue of a part of a patient.
-struct TissuePart {
-  std::vector<std::uint8_t> labels;  ///< on the maps' grid
-  TissueMaps maps;                   ///< on the grid of the whole (voxelGridOf)
+/// What some images look at: the same capsules, in the frame of the probe, seen from one place after another.
+struct SeenPlaces {
+  std::vector<Capsule> capsules;
+  std::vector<glm::dmat4> toPatient;  ///< rigid: from the probe's frame to the patient's own
 };
 
+/// Blocks of a patient's voxels.
+struct VoxelBlocks {
+  Grid grid;                        ///< of all voxels (voxelGridOf)
+  std::vector<glm::ivec3> first{};  ///< of each its first voxel, in their order in the volume
+  double share = 0.0;               ///< of all, 0..1: what they cost, beside voxelise
+};
+
+/// The blocks that tissueWithin has to paint for some places.
+/// @param box of the patient (boxOf, readPatientBox)
+/// @param mostShare nothing is returned as soon as they are more
+/// @error badField (spacing), cancelled (within 0.1 s)
+[[nodiscard]] Result<std::optional<VoxelBlocks>> voxelBlocksAt(const SeenPlaces& seen, const Bounds& box, double spacing_mm,
+                                                               double mostShare, Progress& progress);
+
 struct TissuePartOptions {
-  double spacing_mm = 1.0;
   int threads = 0;
   std::uint64_t maxBytes = kLargestVolume_bytes;
 };
 
-/// The share of a patient's voxels that tissueWithin paints for these capsules, 0..1: what it costs, beside voxelise.
-/// @param box of the patient (boxOf, readPatientBox)
-/// @param spacing_mm > 0
-[[nodiscard]] double shareWithin(const Bounds& box, double spacing_mm, std::span<const Capsule> capsules);
-
-/// What voxelise makes with maps, without echoes, and no more of it than some capsules ask for: within them every voxel has the label,
-/// level and surface that it has in the whole, at the same place of the same grid; beside them some have, and all others are 0, as outside
-/// the body. `surfaces` names only the surfaces that were met, so their numbers are others than those of the whole.
-/// @param capsules in the patient's own frame
-/// @error badField (spacing), tooLarge (with the forecast), cancelled (within 0.1 s)
-[[nodiscard]] Result<TissuePart> tissueWithin(const Patient& patient, std::span<const Capsule> capsules, const TissuePartOptions& options,
-                                              Progress& progress);
+/// What voxelise makes with maps, and no more of it than some places ask for: within their capsules every voxel has the label, level and
+/// surface that it has in the whole, at the same place of the same grid; beside them some have, and all others are 0, as outside the body.
+/// No voxel has an echo or coverage. Surfaces are numbered among those that were met; of a patient with more than 255 kinds of them, the
+/// whole drops its faintest, the part none or fewer.
+/// @param blocks of this patient
+/// @error badField (a grid that cannot be), tooLarge (with the forecast), cancelled (within 0.1 s)
+[[nodiscard]] Result<VoxelPatient> tissueWithin(const Patient& patient, const VoxelBlocks& blocks, const TissuePartOptions& options,
+                                                Progress& progress);
 
 }  // namespace ew
