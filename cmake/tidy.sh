@@ -170,7 +170,7 @@ ew_tidy() {
 }
 
 # The rooms that are clean and are to stay so, as folders: whoever has made one clean adds it.
-ew_clean_rooms=(workstation/core/)
+ew_clean_rooms=(workstation/ plugins/)
 
 # ew_tidy_changed SECONDS: clang-tidy over what changed last in the clean rooms; over all of them where no history tells.
 ew_tidy_changed() {
