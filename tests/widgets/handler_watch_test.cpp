@@ -74,7 +74,7 @@ class HandlerWatchTest final : public QObject {
       const HandlerWatch::Part part("the image");
       now_ms_ += 20.0;
     });
-    QCOMPARE(names().front(), QStringLiteral("the image"));
+    QVERIFY(names().contains(QStringLiteral("the image")));
     QVERIFY(!names().contains(QStringLiteral("QObject 'window', MetaCall")));
   }
 
