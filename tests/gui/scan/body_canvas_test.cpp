@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 
 #include "ew/body/body_canvas.h"
 #include "time_limit.h"
@@ -153,6 +154,19 @@ class BodyCanvasTest final : public QObject {
     canvas_->drawNow(kQuick);
     QCOMPARE(drawn, canvas_->scene().pixelOf({30.0, -90.0, 120.0}));
     QVERIFY(drawn.x > 0.0 && drawn.y > 0.0);
+  }
+
+  void aChangeThatFailsIsLeftOutAlone() {
+    const QImage before = seen();
+    Gate gate(*canvas_);
+    canvas_->draw(kQuick);
+    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    canvas_->changeLooks([](bridge::Scene3D&) { throw std::runtime_error("no memory for a test"); });
+    canvas_->changeLooks([](bridge::Scene3D& scene) { scene.setColours(bridge::lightColours()); });
+    gate.letGo();
+    canvas_->drawNow(kQuick);
+    QCOMPARE(gate.passed(), 2);
+    QVERIFY(seen() != before);
   }
 
   void itIsClosedInTheMiddleOfADrawing() {

@@ -1,5 +1,6 @@
 #include "body_drawing.h"
 
+#include <spdlog/spdlog.h>
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -30,6 +31,14 @@ bool isSoftwareRenderer(const QByteArray& name) {
   for (const char* each : {"llvmpipe", "softpipe", "swrast", "Software", "GDI Generic", "SwiftShader", "Basic Render"})
     if (name.contains(each)) return true;
   return false;
+}
+
+/// What fails is left out; nobody else hears of it.
+void attempt(const std::function<void()>& work) {
+  static_cast<void>(guarded(work, [](const Thrown& thrown) {
+    spdlog::error("A change or a drawing of the body failed: {}", thrown.reason.english());
+    return Error{ErrorCode::internal, thrown.reason, {}};
+  }));
 }
 
 }  // namespace
@@ -184,21 +193,17 @@ void BodyDrawing::work(const Batch& batch) {
   const bool isCurrent = context_ && context_->makeCurrent(surface_.get());
   QElapsedTimer clock;
   clock.start();
-  QImage made;
-  // Without memory for it the last image stays.
-  const auto drawn = guarded(
-      [&] {
-        for (const Change& each : batch.changes) each(*scene_);
-        if (!batch.edges || !isCurrent) return;
-        beginOpenGL();
-        scene_->render(*batch.edges);
-        made = pixels();
-      },
-      [](const Thrown& thrown) {
-        return Error{ErrorCode::internal, thrown.reason, {}};
-      });
+  // Each by itself: what one of them leaves out, the others are not to miss.
+  for (const Change& each : batch.changes) attempt([&] { each(*scene_); });
+  QImage made;  // without memory for it the last image stays
+  if (batch.edges && isCurrent)
+    attempt([&] {
+      beginOpenGL();
+      scene_->render(*batch.edges);
+      made = pixels();
+    });
   if (isCurrent) context_->doneCurrent();
-  if (!drawn || made.isNull()) return;
+  if (made.isNull()) return;
   {
     const std::lock_guard lock(mutex_);
     image_ = std::move(made);
@@ -210,6 +215,7 @@ void BodyDrawing::work(const Batch& batch) {
 QImage BodyDrawing::pixels() {
   const int width = window_->GetSize()[0], height = window_->GetSize()[1];
   QImage made(width, height, QImage::Format_RGB32);
+  if (made.isNull()) return {};  // there is no memory for it: QImage does not throw
   upwards_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   vtkOpenGLState& state = *window_->GetState();
   state.PushReadFramebufferBinding();

@@ -126,6 +126,7 @@ void BodyAndProbe::showCoverage() {
   if (!parts_.session.subject()) return parts_.view3d->setCoverage({});
   // Where the body is drawn: a hundred thousand corners, of which nobody here asks.
   parts_.view3d->changeLooks([recorded = parts_.session.recorded()](bridge::Scene3D& scene) {
+    if (!scene.mannequin()) return;  // there was no memory for it there
     const bridge::SkinVertices skin = bridge::skinVerticesOf(*scene.mannequin());
     scene.setCoverage(coverageOfSkin(recorded, skin.points_mm, skin.outward));
   });
