@@ -19684,6 +19684,10 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
         <source>Body with probe</source>
         <translation>Körper mit Schallkopf</translation>
     </message>
+    <message>
+        <source>The body cannot be drawn, as OpenGL fails here; a newer graphics driver may help.</source>
+        <translation>Der Körper lässt sich nicht zeichnen, weil OpenGL hier versagt; ein neuerer Grafiktreiber kann helfen.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::WorkstationHost</name>

@@ -1,20 +1,15 @@
 // The canvas of the body on a screen of 125 %: it is drawn on a thread of its own, which nobody waits for.
-#include <vtkCallbackCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QSignalSpy>
 #include <QtTest>
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 
 #include "ew/body/body_canvas.h"
+#include "gui/support/body_gate.h"
 #include "time_limit.h"
 
 namespace ew {
@@ -29,47 +24,6 @@ bool waitUntil(const std::function<bool()>& ready) {
   }
   return true;
 }
-
-/// Holds whatever is drawn next until it is let go.
-class Gate {
- public:
-  explicit Gate(BodyCanvas& canvas) : canvas_(canvas) {
-    begun_->SetClientData(this);
-    begun_->SetCallback([](vtkObject*, unsigned long, void* gate, void*) { static_cast<Gate*>(gate)->pass(); });
-    canvas_.renderWindow().AddObserver(vtkCommand::StartEvent, begun_);
-  }
-  ~Gate() {
-    letGo();
-    waitUntil([this] { return !canvas_.isDrawing(); });
-    canvas_.renderWindow().RemoveObserver(begun_);
-  }
-  Gate(const Gate&) = delete;
-  Gate& operator=(const Gate&) = delete;
-  void letGo() {
-    {
-      const std::lock_guard lock(mutex_);
-      isOpen_ = true;
-    }
-    changed_.notify_all();
-  }
-  [[nodiscard]] int passed() const {
-    const std::lock_guard lock(mutex_);
-    return passed_;
-  }
-
- private:
-  void pass() {
-    std::unique_lock lock(mutex_);
-    ++passed_;
-    changed_.wait(lock, [this] { return isOpen_; });
-  }
-  BodyCanvas& canvas_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  bool isOpen_ = false;
-  int passed_ = 0;
-  vtkNew<vtkCallbackCommand> begun_;
-};
 
 constexpr auto kQuick = bridge::Scene3D::Edges::quick;
 
@@ -106,7 +60,7 @@ class BodyCanvasTest final : public QObject {
 
   void whoAsksForADrawingDoesNotWaitForIt() {
     const QImage before = seen();
-    Gate gate(*canvas_);
+    test::BodyGate gate(*canvas_);
     QSignalSpy drawn(canvas_, &BodyCanvas::drawn);
     canvas_->changeLooks([](bridge::Scene3D& scene) { scene.setColours(bridge::lightColours()); });
     canvas_->draw(kQuick);
@@ -120,7 +74,7 @@ class BodyCanvasTest final : public QObject {
   }
 
   void ofSeveralThatAreAskedForMeanwhileTheLastAloneIsDrawn() {
-    Gate gate(*canvas_);
+    test::BodyGate gate(*canvas_);
     QSignalSpy drawn(canvas_, &BodyCanvas::drawn);
     canvas_->draw(kQuick);
     QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
@@ -137,7 +91,7 @@ class BodyCanvasTest final : public QObject {
 
   /// Where a click goes is asked of one scene, and what is seen was drawn from the other: both look from the same place.
   void whatIsDrawnIsSeenFromWhereQuestionsAreAnswered() {
-    Gate gate(*canvas_);
+    test::BodyGate gate(*canvas_);
     canvas_->draw(kQuick);
     QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
     lookFrom(bridge::CameraPreset::left);
@@ -158,7 +112,7 @@ class BodyCanvasTest final : public QObject {
 
   void aChangeThatFailsIsLeftOutAlone() {
     const QImage before = seen();
-    Gate gate(*canvas_);
+    test::BodyGate gate(*canvas_);
     canvas_->draw(kQuick);
     QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
     canvas_->changeLooks([](bridge::Scene3D&) { throw std::runtime_error("no memory for a test"); });
@@ -167,6 +121,21 @@ class BodyCanvasTest final : public QObject {
     canvas_->drawNow(kQuick);
     QCOMPARE(gate.passed(), 2);
     QVERIFY(seen() != before);
+  }
+
+  void whereOpenGLFailsItIsToldAndTheLastImageStays() {
+    test::breakContext(*canvas_);
+    const QImage before = seen();
+    QSignalSpy drawn(canvas_, &BodyCanvas::drawn);
+    QSignalSpy notDrawn(canvas_, &BodyCanvas::notDrawn);
+    QVERIFY(canvas_->isValid());
+    lookFrom(bridge::CameraPreset::left);
+    QVERIFY(!canvas_->drawNow(kQuick));
+    QCOMPARE(notDrawn.count(), 1);
+    QCOMPARE(drawn.count(), 0);
+    QVERIFY(!canvas_->isValid() && !canvas_->isDrawing());
+    lookFrom(bridge::CameraPreset::top);
+    QCOMPARE(seen(), before);
   }
 
   void itIsClosedInTheMiddleOfADrawing() {
@@ -183,7 +152,7 @@ class BodyCanvasTest final : public QObject {
 
   void aLargerPlaceIsFilledUntilItIsDrawn() {
     const auto isGap = [](QRgb pixel) { return pixel == qRgb(0, 0, 0) || pixel == QColor(Qt::magenta).rgb(); };
-    Gate gate(*canvas_);
+    test::BodyGate gate(*canvas_);
     canvas_->resize(560, 470);
     const QImage stretched = seen();
     int gaps = 0;

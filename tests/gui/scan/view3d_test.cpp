@@ -18,6 +18,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "gui/support/body_gate.h"
 #include "places.h"
 
 using namespace ew;
@@ -390,6 +391,17 @@ class View3DTest : public QObject {
       before = anew;
     }
     lowest->RemoveObserver(drawn);
+  }
+
+  void whereOpenGLFailsASentenceSaysSo() {
+    const auto* why = view_->findChild<QWidget*>(QStringLiteral("noBody"));
+    QVERIFY(why != nullptr && !why->isVisible());
+    QVERIFY(view_->renderNow());
+    test::breakContext(*static_cast<BodyCanvas*>(view_->canvas()));
+    QVERIFY(!view_->renderNow());
+    QVERIFY(why->isVisible());
+    QVERIFY(why->geometry() == view_->canvas()->geometry());
+    QTest::mouseClick(view_->canvas(), Qt::LeftButton, Qt::NoModifier, contactPixel());  // and the hand goes on
   }
 
   void manyChangesInOneTurnAreDrawnOnce() {

@@ -6,6 +6,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "body_drawing.h"
@@ -26,9 +27,9 @@ BodyCanvas::BodyCanvas(QWidget* parent) : QWidget(parent), scene_(std::make_uniq
 
 BodyCanvas::~BodyCanvas() = default;
 
-bool BodyCanvas::isValid() const { return drawing_->canDraw(); }
+bool BodyCanvas::isValid() const { return drawing_->canDraw() && !hasGivenUp_; }
 bool BodyCanvas::isSoftware() const { return drawing_->isSoftware(); }
-bool BodyCanvas::isDrawing() const { return drawing_->isBusy(); }
+bool BodyCanvas::isDrawing() const { return drawing_->isDrawing(); }
 double BodyCanvas::took_ms() const { return drawing_->took_ms(); }
 vtkGenericOpenGLRenderWindow& BodyCanvas::renderWindow() const { return drawing_->renderWindow(); }
 
@@ -59,18 +60,24 @@ void BodyCanvas::draw(bridge::Scene3D::Edges edges) {
   drawing_->draw(edges);
 }
 
-void BodyCanvas::drawNow(bridge::Scene3D::Edges edges) {
+bool BodyCanvas::drawNow(bridge::Scene3D::Edges edges) {
   draw(edges);
   drawing_->wait();
   take();
+  return isDrawn_;
 }
 
 void BodyCanvas::take() {
-  QImage newest = drawing_->takeImage();
-  if (newest.isNull()) return;  // drawNow() was earlier
-  image_ = std::move(newest);
-  update();
-  Q_EMIT drawn();
+  std::optional<BodyDrawing::Ended> ended = drawing_->takeEnded();
+  if (!ended) return;  // drawNow() was earlier
+  isDrawn_ = ended->isDrawn;
+  hasGivenUp_ = !ended->hasContext;
+  if (!ended->image.isNull()) {
+    image_ = std::move(ended->image);
+    update();
+    Q_EMIT drawn();
+  }
+  if (!ended->isDrawn) Q_EMIT notDrawn();
 }
 
 void BodyCanvas::paintEvent(QPaintEvent* event) {
@@ -91,6 +98,9 @@ void BodyCanvas::paintEvent(QPaintEvent* event) {
 
 void BodyCanvas::resizeEvent(QResizeEvent*) { resizeScenes(); }
 
-void BodyCanvas::showEvent(QShowEvent*) { drawing_->begin(); }
+void BodyCanvas::showEvent(QShowEvent*) {
+  drawing_->begin();
+  if (!isValid()) Q_EMIT notDrawn();
+}
 
 }  // namespace ew

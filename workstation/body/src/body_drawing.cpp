@@ -119,14 +119,14 @@ bool BodyDrawing::isSoftware() const {
   return isSoftware_;
 }
 
-bool BodyDrawing::isBusy() const {
+bool BodyDrawing::isDrawing() const {
   const std::lock_guard lock(mutex_);
-  return isAtWork_ || next_.edges.has_value();
+  return next_.edges || isDrawing_ || ended_;
 }
 
-QImage BodyDrawing::takeImage() {
+std::optional<BodyDrawing::Ended> BodyDrawing::takeEnded() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(image_, {});
+  return std::exchange(ended_, {});
 }
 
 double BodyDrawing::took_ms() const {
@@ -176,12 +176,13 @@ void BodyDrawing::run() {
       if (ends_) break;
       batch = std::exchange(next_, {});
       isAtWork_ = true;
+      isDrawing_ = batch.edges.has_value();
     }
     work(batch);
     batch = {};  // what it holds may be large, and goes here
     {
       const std::lock_guard lock(mutex_);
-      isAtWork_ = false;
+      isAtWork_ = isDrawing_ = false;
     }
     changed_.notify_all();
   }
@@ -203,11 +204,16 @@ void BodyDrawing::work(const Batch& batch) {
       made = pixels();
     });
   if (isCurrent) context_->doneCurrent();
-  if (made.isNull()) return;
+  if (!batch.edges) return;
   {
     const std::lock_guard lock(mutex_);
-    image_ = std::move(made);
-    took_ms_ = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    if (!ended_) ended_.emplace();
+    ended_->isDrawn = !made.isNull();
+    ended_->hasContext = isCurrent;
+    if (ended_->isDrawn) {
+      ended_->image = std::move(made);
+      took_ms_ = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    }
   }
   tell_();
 }

@@ -28,7 +28,7 @@ class BodyDrawing {
  public:
   using Change = std::function<void(bridge::Scene3D&)>;
 
-  /// @param tell an image is there
+  /// @param tell a drawing has ended
   explicit BodyDrawing(std::function<void()> tell);
   ~BodyDrawing();  ///< waits for the image that is being drawn, if one is
   BodyDrawing(const BodyDrawing&) = delete;
@@ -47,10 +47,16 @@ class BodyDrawing {
   void draw(bridge::Scene3D::Edges edges);
   /// Until all that was asked for is drawn.
   void wait();
-  [[nodiscard]] bool isBusy() const;
-  /// The newest image, opaque, once; null: none since.
-  [[nodiscard]] QImage takeImage();
-  /// How long it took.
+  /// Whether an image is wanted, being drawn, or still to be taken. Changes alone are no drawing.
+  [[nodiscard]] bool isDrawing() const;
+  /// What has ended since somebody asked last.
+  struct Ended {
+    QImage image;            ///< the newest, opaque; null: there is none since
+    bool isDrawn = false;    ///< the last one that was asked for
+    bool hasContext = true;  ///< false: OpenGL did not work where it was drawn, and will not the next time
+  };
+  [[nodiscard]] std::optional<Ended> takeEnded();
+  /// How long the last image took.
   [[nodiscard]] double took_ms() const;
 
   /// For tests, between wait() and what is asked for next.
@@ -81,8 +87,8 @@ class BodyDrawing {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Batch next_;
-  bool isAtWork_ = false, ends_ = false, isSoftware_ = false;
-  QImage image_;
+  bool isAtWork_ = false, isDrawing_ = false, ends_ = false, isSoftware_ = false;
+  std::optional<Ended> ended_;
   double took_ms_ = 0.0;
   std::unique_ptr<QThread> thread_;  ///< null: on the application's
 };

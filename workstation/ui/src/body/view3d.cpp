@@ -86,7 +86,12 @@ class Glass final : public QWidget {
 struct View3D::Parts {
   double opacity = 1.0;  ///< the user's choice
   std::optional<Aids> aids;
-  explicit Parts(View3D* view) : canvas(new BodyCanvas(view)), glass(new Glass(view)), hint(new QLabel(view)), buttons(new QWidget(view)) {}
+  explicit Parts(View3D* view)
+      : canvas(new BodyCanvas(view)),
+        glass(new Glass(view)),
+        hint(new QLabel(view)),
+        noBody(new QLabel(view)),
+        buttons(new QWidget(view)) {}
 
   [[nodiscard]] glm::dvec2 device(const QPointF& at) const {
     const double ratio = canvas->devicePixelRatioF();
@@ -96,6 +101,7 @@ struct View3D::Parts {
   BodyCanvas* canvas;
   Glass* glass;
   QLabel* hint;
+  QLabel* noBody;
   QWidget* buttons;
   std::vector<QToolButton*> viewButtons;
 
@@ -154,6 +160,12 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   parts_->hint->setObjectName(QStringLiteral("viewHints"));
   parts_->hint->setAttribute(Qt::WA_TransparentForMouseEvents);
   setLook(parts_->hint, Look::small);
+  parts_->noBody->setObjectName(QStringLiteral("noBody"));
+  parts_->noBody->setAttribute(Qt::WA_TransparentForMouseEvents);
+  parts_->noBody->setAlignment(Qt::AlignCenter);
+  parts_->noBody->setWordWrap(true);
+  parts_->noBody->setMargin(kOverlayMargin_px);
+  parts_->noBody->hide();
   parts_->buttons->setObjectName(QStringLiteral("viewButtons"));
   auto* grid = new QGridLayout(parts_->buttons);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -191,6 +203,7 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
     parts_->sinceDrawn.start();
     parts_->glass->update();  // what lies over it moves with the camera
   });
+  connect(parts_->canvas, &BodyCanvas::notDrawn, this, [this] { parts_->noBody->setVisible(!parts_->canvas->isValid()); });
   retranslate();
 }
 
@@ -214,6 +227,7 @@ void View3D::retranslate() {
   name("viewFit", tr("Fit"), tr("Show the whole volume"));
   name("viewThrough", tr("Translucent"), tr("Make the body translucent"));
   parts_->hint->setText(defaultHint());
+  parts_->noBody->setText(whyNoBody());
   parts_->canvas->setAccessibleName(tr("Body with probe"));
   parts_->canvas->setAccessibleDescription(defaultHint());
   placeOverlays();
@@ -222,6 +236,8 @@ void View3D::retranslate() {
 QString View3D::defaultHint() const {
   return tr("drag: slide on skin   wheel: tilt   Shift: rock   Ctrl: rotate   right drag: look around");
 }
+
+QString View3D::whyNoBody() { return tr("The body cannot be drawn, as OpenGL fails here; a newer graphics driver may help."); }
 
 void View3D::setMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
   EW_EXPECTS(mannequin != nullptr);
@@ -337,10 +353,10 @@ void View3D::render() {
   });
 }
 
-void View3D::renderNow() {
+bool View3D::renderNow() {
   parts_->still.stop();
   const HandlerWatch::Part part("waiting for the body");
-  if (prepareDrawing()) parts_->canvas->drawNow(bridge::Scene3D::Edges::smooth);
+  return prepareDrawing() && parts_->canvas->drawNow(bridge::Scene3D::Edges::smooth);
 }
 
 void View3D::smoothEdges() {
@@ -399,6 +415,7 @@ void View3D::placeOverlays() {
   const QRect body(0, top, width(), std::max(1, height() - top));
   parts_->canvas->setGeometry(body);
   parts_->glass->setGeometry(body);
+  parts_->noBody->setGeometry(body);
   hint.raise();
 }
 

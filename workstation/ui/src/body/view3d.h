@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPoint>
+#include <QString>
 #include <QWidget>
 #include <cstdint>
 #include <filesystem>
@@ -72,7 +73,10 @@ class View3D : public QWidget {
   /// second.
   void render();
   /// Waits for a drawing with smooth edges, for screenshots; the image is complete when this returns.
-  void renderNow();
+  /// @return false: nothing was drawn, as the view is not seen or OpenGL fails
+  bool renderNow();
+  /// What is said in place of a body that cannot be drawn.
+  [[nodiscard]] static QString whyNoBody();
 
   /// Where the ray through a pixel first meets the skin.
   [[nodiscard]] std::optional<Skin::Contact> contactAt(const QPoint& at) const;

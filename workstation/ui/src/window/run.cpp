@@ -60,7 +60,7 @@ class Screenshot final : public QObject {
     settled_ = window_.isSettled() ? settled_ + 1 : 0;
     if (settled_ < 20) return;  // a second of rest: the timed figures of the status line are there as well
     poll_.stop();
-    window_.view3d().renderNow();
+    if (!window_.view3d().renderNow() && window_.view3d().isVisible()) return giveUp(View3D::whyNoBody());
     QApplication::processEvents();
     if (!window_.grab().save(file_, "PNG")) {
       return giveUp(MainWindow::tr("The image cannot be written to '%1'; choose a folder you may write to.").arg(file_));

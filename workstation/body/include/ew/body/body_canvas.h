@@ -35,14 +35,15 @@ class BodyCanvas final : public QWidget {
   /// In what is drawn alone: looks that scene() has no question about.
   void changeLooks(Change change);
 
-  /// Whether there is something to draw with: once the canvas was shown, and OpenGL is there.
+  /// Whether there is something to draw with: once the canvas was shown, and OpenGL works. Where it fails later, notDrawn() says so first.
   [[nodiscard]] bool isValid() const;
   [[nodiscard]] bool isSoftware() const;  ///< known once something is drawn
-  /// Draws when there is time; drawn() tells when it is painted. Of several that are asked for meanwhile the last alone is drawn.
-  /// Expects isValid().
+  /// Draws when there is time; drawn() tells when it is painted, notDrawn() that it never is. Of several that are asked for meanwhile the
+  /// last alone is drawn. Expects isValid().
   void draw(bridge::Scene3D::Edges edges);
-  /// The same, and waits for it.
-  void drawNow(bridge::Scene3D::Edges edges);
+  /// The same, and waits for it. @return whether it was drawn
+  bool drawNow(bridge::Scene3D::Edges edges);
+  /// From draw() to what tells of its end.
   [[nodiscard]] bool isDrawing() const;
   [[nodiscard]] double took_ms() const;  ///< the last drawing
 
@@ -51,6 +52,8 @@ class BodyCanvas final : public QWidget {
 
  Q_SIGNALS:
   void drawn();
+  /// The last image stays. Without isValid() no other one comes.
+  void notDrawn();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -66,6 +69,8 @@ class BodyCanvas final : public QWidget {
   std::unique_ptr<bridge::Scene3D> scene_;
   QSize sized_px_;
   QImage image_;
+  bool isDrawn_ = false;                  ///< what was asked for last
+  bool hasGivenUp_ = false;               ///< the context did not work where it was to be drawn
   std::unique_ptr<BodyDrawing> drawing_;  ///< ends first
 };
 
