@@ -1,18 +1,15 @@
 // What a trainee and an author meet on their way through the window, each found by using it.
-#include <vtkCallbackCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
 #include <QLabel>
 #include <QOpenGLContext>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <atomic>
 #include <chrono>
-#include <thread>
+#include <functional>
 
 #include "ew/library/case.h"
 #include "ew/ui_test_door/annotate.h"
 #include "ew/ui_test_door/start.h"
+#include "gui/support/body_gate.h"
 #include "gui/support/case_aside.h"
 #include "gui/support/window_fixture.h"
 
@@ -131,27 +128,24 @@ class JourneysTest : public WindowFixture {
     if (!QOpenGLContext::supportsThreadedOpenGL()) QSKIP("OpenGL knows one thread only");
     window_->view3d().renderNow();
     PaintCount scans(window_->scanView());
-    struct Slow {
-      std::atomic<bool> isDrawing{false}, goesOn{false};
-    } body;
-    vtkNew<vtkCallbackCommand> slow;
-    slow->SetClientData(&body);
-    slow->SetCallback([](vtkObject*, unsigned long, void* drawn, void*) {
-      auto& held = *static_cast<Slow*>(drawn);
-      held.isDrawing = true;
-      while (!held.goesOn) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    });
-    const unsigned long tag = canvas->renderWindow().AddObserver(vtkCommand::StartEvent, slow);
+    test::BodyGate gate(*canvas);
     int moves = 0, scansBefore = -1;
-    const bool goesOn = waitUntil([&] {
-      session().probeControl().setHold(turned(session().probeControl().hold(), ++moves % 2 == 0 ? 0.02 : -0.02, 0.0, 0.0));
-      if (scansBefore < 0 && body.isDrawing) scansBefore = scans.count;
+    const auto moveUntil = [&](const std::function<bool()>& ready) {
+      return waitUntil([&] {
+        session().probeControl().setHold(turned(session().probeControl().hold(), ++moves % 2 == 0 ? 0.02 : -0.02, 0.0, 0.0));
+        return ready();
+      });
+    };
+    const bool goesOn = moveUntil([&] {
+      if (scansBefore < 0 && gate.passed() == 1) scansBefore = scans.count;
       return scansBefore >= 0 && scans.count >= scansBefore + 10;
     });
-    body.goesOn = true;
-    window_->view3d().renderNow();
-    canvas->renderWindow().RemoveObserver(tag);
     QVERIFY2(goesOn, qPrintable(QStringLiteral("%1 scans, %2 of them before the body was drawn").arg(scans.count).arg(scansBefore)));
+    // And after a drawing as long as that the scan has both cores for a moment.
+    gate.letGo();
+    QVERIFY(moveUntil([&] { return gate.passed() >= 2 && !gate.drawn().empty(); }));
+    const std::chrono::duration<double, std::milli> rested = gate.begun()[1] - gate.drawn()[0];
+    QVERIFY2(rested.count() > 95.0, qPrintable(QString::number(rested.count())));
   }
 };
 

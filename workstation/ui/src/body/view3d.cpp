@@ -16,7 +16,6 @@
 #include "ew/core/contract.h"
 #include "ew/widgets/focus_ring.h"
 #include "ew/widgets/handler_watch.h"
-#include "ew/widgets/later.h"
 #include "ew/widgets/look.h"
 
 namespace ew::ui {
@@ -27,7 +26,7 @@ constexpr double kTranslucent = 0.45;
 constexpr int kOverlayMargin_px = 16;
 constexpr int kBarMargin_px = 4;
 constexpr int kLeastForHint_px = 280;
-constexpr qint64 kLongestRest_ms = 100;  // the body follows ten times a second at the least
+constexpr qint64 kLongestRest_ms = 100;  // longer, and it would not follow the hand any more
 
 /// A trunk's size, so that there is something to slide on before a mannequin is loaded.
 class EllipsoidSkin final : public Skin {
@@ -144,8 +143,10 @@ struct View3D::Parts {
   std::shared_ptr<const Skin> bareSkin = std::make_shared<EllipsoidSkin>();
   std::function<void()> beforeDrawing;
   bool renderAsked = false;
+  bool isSmooth = false;     ///< what is drawn, or was last
   QElapsedTimer sinceDrawn;  ///< runs from the end of the last drawing
-  QTimer still;              ///< runs out when nothing has moved for a moment: then there is time for smooth edges
+  QTimer rest;               ///< runs out when what is asked for may be drawn
+  QTimer still;              ///< runs out when nothing was asked for a moment: then there is time for smooth edges
 };
 
 View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
@@ -196,14 +197,17 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
   connect(skinButton, &QToolButton::toggled, this, [this](bool through) { setBodyOpacity(through ? kTranslucent : 1.0); });
   parts_->viewButtons.push_back(skinButton);
   new FocusRing(*this, *parts_->canvas);
+  parts_->rest.setSingleShot(true);
+  parts_->rest.setTimerType(Qt::PreciseTimer);
+  connect(&parts_->rest, &QTimer::timeout, this, [this] { draw(bridge::Scene3D::Edges::quick); });
   parts_->still.setSingleShot(true);
   parts_->still.setInterval(250);
-  connect(&parts_->still, &QTimer::timeout, this, &View3D::smoothEdges);
-  connect(parts_->canvas, &BodyCanvas::drawn, this, [this] {
-    parts_->sinceDrawn.start();
-    parts_->glass->update();  // what lies over it moves with the camera
+  connect(&parts_->still, &QTimer::timeout, this, [this] { draw(bridge::Scene3D::Edges::smooth); });
+  connect(parts_->canvas, &BodyCanvas::drawn, this, &View3D::rest);
+  connect(parts_->canvas, &BodyCanvas::notDrawn, this, [this] {
+    parts_->noBody->setVisible(!parts_->canvas->isValid());
+    rest();
   });
-  connect(parts_->canvas, &BodyCanvas::notDrawn, this, [this] { parts_->noBody->setVisible(!parts_->canvas->isValid()); });
   retranslate();
 }
 
@@ -338,35 +342,45 @@ void View3D::fitToVolume() {
 }
 
 void View3D::render() {
-  if (parts_->renderAsked) return;
-  parts_->renderAsked = true;
+  if (std::exchange(parts_->renderAsked, true)) return;
+  if (!parts_->canvas->isDrawing()) drawRested();
+}
+
+/// A drawing has ended. What was asked for meanwhile comes after the whole of the rest.
+void View3D::rest() {
+  parts_->sinceDrawn.start();
+  parts_->glass->update();  // what lies over it moves with the camera
+  if (parts_->renderAsked)
+    drawRested();
+  else if (!parts_->isSmooth)
+    parts_->still.start();
+}
+
+void View3D::drawRested() {
   const BodyCanvas& canvas = *parts_->canvas;
   // At most a third of the time goes into it, and without a graphics processor a tenth: there it takes what the scan could use.
   const auto rest_ms = static_cast<qint64>(std::min((canvas.isSoftware() ? 10.0 : 2.0) * canvas.took_ms(), double{kLongestRest_ms}));
-  const qint64 rested_ms = canvas.isDrawing() ? 0 : parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
+  const qint64 rested_ms = parts_->sinceDrawn.isValid() ? parts_->sinceDrawn.elapsed() : kLongestRest_ms;
   // Not at the end of this turn: what is asked for in it, the scan's painting above all, comes first.
-  const qint64 wait_ms = std::clamp(rest_ms - rested_ms, qint64{1}, kLongestRest_ms);
-  callLater(static_cast<int>(wait_ms), this, [this] {
-    if (!parts_->renderAsked) return;
-    if (prepareDrawing()) parts_->canvas->draw(bridge::Scene3D::Edges::quick);
-    parts_->still.start();
-  });
+  parts_->rest.start(static_cast<int>(std::clamp(rest_ms - rested_ms, qint64{1}, kLongestRest_ms)));
 }
 
 bool View3D::renderNow() {
-  parts_->still.stop();
   const HandlerWatch::Part part("waiting for the body");
-  return prepareDrawing() && parts_->canvas->drawNow(bridge::Scene3D::Edges::smooth);
+  return prepareDrawing(bridge::Scene3D::Edges::smooth) && parts_->canvas->drawNow(bridge::Scene3D::Edges::smooth);
 }
 
-void View3D::smoothEdges() {
-  if (prepareDrawing()) parts_->canvas->draw(bridge::Scene3D::Edges::smooth);
+void View3D::draw(bridge::Scene3D::Edges edges) {
+  if (prepareDrawing(edges)) parts_->canvas->draw(edges);
 }
 
 /// Brings what only a drawing needs. Without a context there is nothing to draw into; the widget asks again when it is shown.
-bool View3D::prepareDrawing() {
+bool View3D::prepareDrawing(bridge::Scene3D::Edges edges) {
   parts_->renderAsked = false;
+  parts_->rest.stop();
+  parts_->still.stop();
   if (!isVisible() || !parts_->canvas->isValid()) return false;
+  parts_->isSmooth = edges == bridge::Scene3D::Edges::smooth;
   if (parts_->beforeDrawing) parts_->beforeDrawing();
   return true;
 }

@@ -68,9 +68,9 @@ class View3D : public QWidget {
   void showFrom(bridge::CameraPreset preset);
   void fitToVolume();  ///< looks at the volume box, or at the trunk when there is none
 
-  /// Draws once, soon, on the canvas's own thread: after what is to be painted now, and after a rest twice as long as the last drawing
-  /// took, ten times without a graphics processor, but no longer than 100 ms; edges are smoothed when nothing has moved for a quarter of a
-  /// second.
+  /// Draws once, soon, on the canvas's own thread: after what is to be painted now, and after a rest from the end of the last drawing,
+  /// twice as long as that took, ten times without a graphics processor, but no longer than 100 ms. While something is drawn nothing else
+  /// is. Edges are smoothed when nothing was asked for a quarter of a second after a drawing.
   void render();
   /// Waits for a drawing with smooth edges, for screenshots; the image is complete when this returns.
   /// @return false: nothing was drawn, as the view is not seen or OpenGL fails
@@ -106,8 +106,10 @@ class View3D : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  [[nodiscard]] bool prepareDrawing();
-  void smoothEdges();
+  void rest();
+  void drawRested();
+  void draw(bridge::Scene3D::Edges edges);
+  [[nodiscard]] bool prepareDrawing(bridge::Scene3D::Edges edges);
   void showAids();
   void retranslate();
   void placeOverlays();
