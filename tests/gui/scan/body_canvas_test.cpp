@@ -4,9 +4,11 @@
 #include <QOpenGLContext>
 #include <QSignalSpy>
 #include <QtTest>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 
 #include "ew/body/body_canvas.h"
 #include "gui/support/body_gate.h"
@@ -139,14 +141,32 @@ class BodyCanvasTest final : public QObject {
   }
 
   void itIsClosedInTheMiddleOfADrawing() {
-    for (int n = 0; n < 5; ++n) {
-      auto canvas = std::make_unique<BodyCanvas>(nullptr);
-      canvas->resize(200, 200);
-      canvas->show();
-      QVERIFY(canvas->isValid());
-      canvas->draw(kQuick);
-      if (n % 2 == 1) QVERIFY(waitUntil([&] { return !canvas->isDrawing(); }));
-      canvas->draw(kQuick);
+    auto canvas = std::make_unique<BodyCanvas>(nullptr);
+    canvas->resize(200, 200);
+    canvas->show();
+    QVERIFY(canvas->isValid());
+    QVERIFY(canvas->drawNow(kQuick));
+    test::BodyGate gate(*canvas);
+    canvas->draw(kQuick);
+    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    canvas->draw(kQuick);  // nobody waits for this one
+    std::thread later([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      gate.letGo();
+    });
+    canvas.reset();
+    const int ended = gate.ended();
+    later.join();
+    QCOMPARE(ended, 1);
+    QCOMPARE(gate.passed(), 1);
+  }
+
+  void itIsClosedBeforeAnythingIsDrawn() {
+    for (const bool isAsked : {false, true}) {
+      BodyCanvas canvas(nullptr);
+      canvas.show();
+      QVERIFY(canvas.isValid());
+      if (isAsked) canvas.draw(kQuick);
     }
   }
 
