@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "ew/widgets/handler_watch.h"
 #include "time_limit.h"
 
 namespace ew::ui::jobs_test {
@@ -58,6 +59,18 @@ TEST_F(JobsOnTheirOwn, AJobIsCalledByWhatIsKnownOfItByNow) {
   EXPECT_EQ(seen[0].title.toStdString(), "Opening Knee");
   EXPECT_EQ(seen[1].title.toStdString(), "Counting");
   jobs.cancelAllAndWait();
+}
+
+TEST_F(JobsOnTheirOwn, WhatTheLogIsToldNamesNoTitle) {
+  HandlerWatch watch(-1.0);  // everything is slow
+  Jobs jobs;
+  bool isDone = false;
+  jobs.start(
+      "Opening Ann Smith.mha", [](Progress&) -> Result<void> { return {}; }, [&](const Result<void>&) { isDone = true; });
+  ASSERT_TRUE(waitUntil([&] { return isDone; }));
+  const auto slow = watch.slow();
+  ASSERT_EQ(slow.size(), 1u);
+  EXPECT_EQ(slow[0].name.toStdString(), "taking over what was waited for");
 }
 
 TEST_F(JobsOnTheirOwn, WorkRunsOnAnotherThreadAndItsDoneOnThisOne) {

@@ -30,14 +30,12 @@ HandlerWatch::Entered::Entered(HandlerWatch& entered, Handled handled) : watch(e
 
 HandlerWatch::Entered::~Entered() { watch.leave(); }
 
-HandlerWatch::Part::Part(const QString& name) : watch_(current) {
+HandlerWatch::Part::Part(const char* name) : watch_(current) {
   if (watch_ == nullptr) return;
   Handled handled;
   handled.part = name;
   watch_->enter(std::move(handled));
 }
-
-HandlerWatch::Part::Part(const char* name) : Part(current != nullptr ? QString::fromUtf8(name) : QString()) {}
 
 HandlerWatch::Part::~Part() {
   if (watch_ != nullptr) watch_->leave();
@@ -95,7 +93,7 @@ QString HandlerWatch::namedAbove(const QObject& receiver) {
 }
 
 QString HandlerWatch::nameOf(const Handled& handled) {
-  if (!handled.part.isEmpty()) return handled.part;
+  if (handled.part != nullptr) return QString::fromUtf8(handled.part);
   QString name = QString::fromLatin1(handled.className);
   if (!handled.name.isEmpty()) name += QStringLiteral(" '%1'").arg(handled.name);
   if (!handled.nameAbove.isEmpty()) name += QStringLiteral(" in '%1'").arg(handled.nameAbove);

@@ -55,6 +55,19 @@ Error notTakenOver(const QString& title, const Thrown& thrown) {
           {}};
 }
 
+/// For the log of what holds the window's thread. Titles may name files and people.
+const char* takingOver(Jobs::Kind kind) {
+  switch (kind) {
+    case Jobs::Kind::awaited:
+      return "taking over what was waited for";
+    case Jobs::Kind::background:
+      return "taking over what was made in the background";
+    case Jobs::Kind::saving:
+      return "taking over what was saved";
+  }
+  return "";
+}
+
 }  // namespace
 
 Jobs::Jobs(QObject* parent) : QObject(parent) {}
@@ -155,7 +168,7 @@ void Jobs::deliver(int id) {
   if (job->thread.joinable()) job->thread.join();
   Q_EMIT finished(id);
   if (job->done) {
-    const HandlerWatch::Part part(QStringLiteral("taking over '%1'").arg(job->title));
+    const HandlerWatch::Part part(takingOver(job->kind));
     const auto taken = guarded([&] { job->done(job->outcome); }, [&](const Thrown& thrown) { return notTakenOver(job->title, thrown); });
     if (!taken) Q_EMIT problem(taken.error());
   }

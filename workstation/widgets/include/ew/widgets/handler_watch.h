@@ -53,7 +53,7 @@ class HandlerWatch {
   /// A part of a handler that answers for itself, such as the making of an image. Nothing happens where no watch runs.
   class Part {
    public:
-    explicit Part(const QString& name);
+    /// @param name that stays, and stands in logs: of what is done, never of whom or which file
     explicit Part(const char* name);
     ~Part();
     Part(const Part&) = delete;
@@ -74,7 +74,7 @@ class HandlerWatch {
     QString name;
     QString nameAbove;  ///< of the nearest parent that has one
     QEvent::Type type = QEvent::None;
-    QString part{};  ///< of a handler, in place of all that
+    const char* part = nullptr;  ///< of a handler, in place of all that
     bool isWaiting = false;
     Times begun{};
     Times inside{};  ///< what was handled meanwhile
