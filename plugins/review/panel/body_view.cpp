@@ -77,6 +77,7 @@ BodyView::BodyView(const ScanPair& scans, const Playback& playback, QWidget* par
     still_.reset();
     glass_->update();
   });
+  connect(canvas_, &BodyCanvas::pixelsChanged, this, &BodyView::moved);
   connect(&playback_, &Playback::timeChanged, this, [this] { glass_->update(); });
   takeScans();
 }

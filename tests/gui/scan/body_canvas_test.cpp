@@ -2,7 +2,10 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QOpenGLContext>
+#include <QScopeGuard>
+#include <QScreen>
 #include <QSignalSpy>
+#include <QWindow>
 #include <QtTest>
 #include <chrono>
 #include <functional>
@@ -27,6 +30,7 @@ bool waitUntil(const std::function<bool()>& ready) {
   return true;
 }
 
+constexpr const char* kScreenFactor = "_q_scaleFactor";  ///< where Qt 5 keeps what QT_SCREEN_SCALE_FACTORS said
 constexpr auto kQuick = bridge::Scene3D::Edges::quick;
 
 }  // namespace
@@ -184,6 +188,28 @@ class BodyCanvasTest final : public QObject {
     QCOMPARE(seen().size(), QSize(700, 588));
   }
 
+  void onAScreenOfOtherPixelsAnotherDrawingIsAskedFor() {
+    QScreen* screen = window_->windowHandle()->screen();
+    const glm::dvec3 somewhere(30.0, -90.0, 120.0);
+    const double mmPerPixel = canvas_->scene().mmPerPixelAt(somewhere);
+    screen->setProperty(kScreenFactor, 2.0);
+    const QScopeGuard back([&] { screen->setProperty(kScreenFactor, 1.25); });
+    QCOMPARE(canvas_->devicePixelRatioF(), 2.0);
+    test::BodyGate gate(*canvas_);
+    gate.letGo();
+    QSignalSpy changed(canvas_, &BodyCanvas::pixelsChanged);
+    QEvent moved(QEvent::ScreenChangeInternal);
+    QCoreApplication::sendEvent(canvas_, &moved);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY2(canvas_->scene().mmPerPixelAt(somewhere) < 0.7 * mmPerPixel, "and is asked by its new pixels");
+    static_cast<void>(seen());
+    QVERIFY2(!canvas_->isDrawing() && gate.passed() == 0, "who paints draws nothing");
+    QCoreApplication::sendEvent(canvas_, &moved);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(canvas_->drawNow(kQuick));
+    QCOMPARE(seen().size(), QSize(1002, 806));
+  }
+
   void nothingOfBeforeIsLeftAtAnEdgeWithinAPixel() {
     const double ratio = canvas_->devicePixelRatioF();
     QCOMPARE(ratio, 1.25);
@@ -208,7 +234,7 @@ class BodyCanvasTest final : public QObject {
 }  // namespace ew
 
 int main(int argc, char** argv) {
-  qputenv("QT_SCALE_FACTOR", "1.25");
+  qputenv("QT_SCREEN_SCALE_FACTORS", "1.25");
   QApplication app(argc, argv);
   ew::BodyCanvasTest test;
   return QTest::qExec(&test, argc, argv);

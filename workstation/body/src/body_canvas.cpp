@@ -2,6 +2,7 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
+#include <QEvent>
 #include <QMetaObject>
 #include <QPaintEvent>
 #include <QPainter>
@@ -46,12 +47,14 @@ QSize BodyCanvas::size_px() const {
   return QSize(static_cast<int>(std::ceil(width() * ratio)), static_cast<int>(std::ceil(height() * ratio))).expandedTo({1, 1});
 }
 
-void BodyCanvas::resizeScenes() {
-  if (sized_px_ == size_px()) return;
+/// @return whether their size is another one than it was
+bool BodyCanvas::resizeScenes() {
+  if (sized_px_ == size_px()) return false;
   sized_px_ = size_px();
   asked_->SetSize(sized_px_.width(), sized_px_.height());
   static_cast<void>(scene_->mmPerPixelAt(glm::dvec3(0.0)));
   drawing_->resize(sized_px_);
+  return true;
 }
 
 void BodyCanvas::draw(bridge::Scene3D::Edges edges) {
@@ -80,12 +83,16 @@ void BodyCanvas::take() {
   if (!ended->isDrawn) Q_EMIT notDrawn();
 }
 
+bool BodyCanvas::event(QEvent* event) {
+  if (event->type() == QEvent::ScreenChangeInternal && resizeScenes()) Q_EMIT pixelsChanged();
+  return QWidget::event(event);
+}
+
 void BodyCanvas::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   if (image_.isNull()) return painter.fillRect(event->rect(), palette().color(QPalette::Window));
-  // Until it is drawn in its new size, or where it is moved to a screen of other pixels, the last one fills the place.
+  // Until it is drawn in its new size the last one fills the place.
   if (image_.size() != size_px()) {
-    if (sized_px_ != size_px() && isValid()) draw(bridge::Scene3D::Edges::quick);
     image_.setDevicePixelRatio(1.0);
     return painter.drawImage(rect(), image_);
   }

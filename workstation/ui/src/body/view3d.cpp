@@ -208,6 +208,10 @@ View3D::View3D(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts
     parts_->noBody->setVisible(!parts_->canvas->isValid());
     rest();
   });
+  connect(parts_->canvas, &BodyCanvas::pixelsChanged, this, [this] {
+    placeOverlays();
+    render();
+  });
   retranslate();
 }
 

@@ -54,14 +54,17 @@ class BodyCanvas final : public QWidget {
   void drawn();
   /// The last image stays. Without isValid() no other one comes.
   void notDrawn();
+  /// On another screen, where the widget has other pixels: until somebody asks for a drawing the last image is stretched.
+  void pixelsChanged();
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
-  void resizeScenes();
+  bool resizeScenes();
   void take();
   [[nodiscard]] QSize size_px() const;
 
