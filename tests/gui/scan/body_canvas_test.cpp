@@ -1,4 +1,5 @@
-// The canvas of the body on a screen of 125 %: it is drawn on a thread of its own, which nobody waits for.
+// The canvas of the body on a screen of 125 %: it is drawn on a thread of its own, which nobody waits for. Run a second time as where
+// OpenGL knows one thread only.
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QOpenGLContext>
@@ -45,6 +46,12 @@ class BodyCanvasTest final : public QObject {
   void lookFrom(bridge::CameraPreset preset) {
     canvas_->change([preset](bridge::Scene3D& scene) { scene.showFrom(preset); });
   }
+  [[nodiscard]] static bool isThreaded() { return QOpenGLContext::supportsThreadedOpenGL(); }
+  /// Something is drawn, and held: by the gate, or on one thread by what the test does before its next turn.
+  [[nodiscard]] bool begins(const test::BodyGate& gate) {
+    canvas_->draw(kQuick);
+    return !isThreaded() || waitUntil([&] { return gate.passed() == 1; });
+  }
 
  private Q_SLOTS:
   void init() {
@@ -60,7 +67,6 @@ class BodyCanvasTest final : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(window_.get(), static_cast<int>(test::kPatience_ms)));
     QVERIFY(canvas_->isValid());
     canvas_->drawNow(kQuick);
-    if (!QOpenGLContext::supportsThreadedOpenGL()) QSKIP("OpenGL knows one thread only");
   }
   void cleanup() { window_.reset(); }
 
@@ -69,8 +75,7 @@ class BodyCanvasTest final : public QObject {
     test::BodyGate gate(*canvas_);
     QSignalSpy drawn(canvas_, &BodyCanvas::drawn);
     canvas_->changeLooks([](bridge::Scene3D& scene) { scene.setColours(bridge::lightColours()); });
-    canvas_->draw(kQuick);
-    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    QVERIFY(begins(gate));
     QVERIFY(canvas_->isDrawing());
     QCOMPARE(drawn.count(), 0);
     QCOMPARE(seen(), before);  // painted all the same
@@ -82,8 +87,7 @@ class BodyCanvasTest final : public QObject {
   void ofSeveralThatAreAskedForMeanwhileTheLastAloneIsDrawn() {
     test::BodyGate gate(*canvas_);
     QSignalSpy drawn(canvas_, &BodyCanvas::drawn);
-    canvas_->draw(kQuick);
-    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    QVERIFY(begins(gate));
     for (int n = 0; n < 20; ++n) {
       canvas_->change([](bridge::Scene3D& scene) { scene.orbit(0.05, 0.0); });
       canvas_->draw(kQuick);
@@ -91,15 +95,33 @@ class BodyCanvasTest final : public QObject {
     gate.letGo();
     QVERIFY(waitUntil([&] { return !canvas_->isDrawing(); }));
     QTest::qWait(50);
-    QCOMPARE(gate.passed(), 2);
-    QCOMPARE(drawn.count(), 2);
+    QCOMPARE(gate.passed(), isThreaded() ? 2 : 1);
+    QVERIFY(drawn.count() >= 1 && drawn.count() <= gate.passed());  // one that ends before another is taken is not told of by itself
+  }
+
+  void whatIsAskedForInOneTurnIsDrawnOnceAfterIt() {
+    test::BodyGate gate(*canvas_);
+    gate.letGo();
+    for (int n = 0; n < 20; ++n) {
+      canvas_->change([](bridge::Scene3D& scene) { scene.orbit(0.05, 0.0); });
+      canvas_->draw(kQuick);
+      static_cast<void>(seen());
+    }
+    if (!isThreaded()) QCOMPARE(gate.passed(), 0);
+    QVERIFY(canvas_->isDrawing());
+    QVERIFY(waitUntil([&] { return !canvas_->isDrawing(); }));
+    if (!isThreaded()) QCOMPARE(gate.passed(), 1);
+    QVERIFY(QOpenGLContext::currentContext() == nullptr);
+    // And the last of it is seen: nothing is left for another drawing.
+    const QImage drawn = seen();
+    QVERIFY(canvas_->drawNow(kQuick));
+    QCOMPARE(seen(), drawn);
   }
 
   /// Where a click goes is asked of one scene, and what is seen was drawn from the other: both look from the same place.
   void whatIsDrawnIsSeenFromWhereQuestionsAreAnswered() {
     test::BodyGate gate(*canvas_);
-    canvas_->draw(kQuick);
-    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    QVERIFY(begins(gate));
     lookFrom(bridge::CameraPreset::left);
     canvas_->change([](bridge::Scene3D& scene) { scene.pan({40.0, 25.0}); });
     canvas_->resize(300, 460);
@@ -119,13 +141,12 @@ class BodyCanvasTest final : public QObject {
   void aChangeThatFailsIsLeftOutAlone() {
     const QImage before = seen();
     test::BodyGate gate(*canvas_);
-    canvas_->draw(kQuick);
-    QVERIFY(waitUntil([&] { return gate.passed() == 1; }));
+    QVERIFY(begins(gate));
     canvas_->changeLooks([](bridge::Scene3D&) { throw std::runtime_error("no memory for a test"); });
     canvas_->changeLooks([](bridge::Scene3D& scene) { scene.setColours(bridge::lightColours()); });
     gate.letGo();
     canvas_->drawNow(kQuick);
-    QCOMPARE(gate.passed(), 2);
+    QCOMPARE(gate.passed(), isThreaded() ? 2 : 1);
     QVERIFY(seen() != before);
   }
 
@@ -145,6 +166,7 @@ class BodyCanvasTest final : public QObject {
   }
 
   void itIsClosedInTheMiddleOfADrawing() {
+    if (!isThreaded()) QSKIP("on one thread nothing happens in the middle");
     auto canvas = std::make_unique<BodyCanvas>(nullptr);
     canvas->resize(200, 200);
     canvas->show();

@@ -20,8 +20,8 @@
 
 namespace ew::test {
 
-/// Holds whatever a canvas draws next until it is let go, and keeps when it was. Where OpenGL knows one thread only it has to be let go
-/// before something is drawn.
+/// Holds whatever a canvas draws next until it is let go, and keeps when it was. Where OpenGL knows one thread only nothing is held: it
+/// would be for ever.
 class BodyGate {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -82,7 +82,7 @@ class BodyGate {
   QObject listener_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  bool isOpen_ = false;
+  bool isOpen_ = !QOpenGLContext::supportsThreadedOpenGL();
   int ended_ = 0;
   std::vector<Time> begun_, drawn_;
   vtkNew<vtkCallbackCommand> events_;

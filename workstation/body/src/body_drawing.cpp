@@ -7,6 +7,7 @@
 #include <vtkOpenGLState.h>
 
 #include <QElapsedTimer>
+#include <QMetaObject>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -139,7 +140,7 @@ void BodyDrawing::change(Change change) {
     const std::lock_guard lock(mutex_);
     next_.changes.push_back(std::move(change));
   }
-  thread_ ? changed_.notify_all() : doNow();
+  goOn();
 }
 
 void BodyDrawing::resize(const QSize& size_px) {
@@ -155,15 +156,31 @@ void BodyDrawing::draw(bridge::Scene3D::Edges edges) {
     const std::lock_guard lock(mutex_);
     next_.edges = edges;
   }
-  thread_ ? changed_.notify_all() : doNow();
+  goOn();
 }
 
 void BodyDrawing::wait() {
+  if (!thread_) return doNow();
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return next_.isEmpty() && !isAtWork_; });
 }
 
-void BodyDrawing::doNow() { work(std::exchange(next_, {})); }
+void BodyDrawing::goOn() {
+  if (thread_) return changed_.notify_all();
+  // Whoever asks has more to ask for in this turn, and may be painting.
+  if (std::exchange(isPosted_, true)) return;
+  QMetaObject::invokeMethod(
+      &here_,
+      [this] {
+        isPosted_ = false;
+        if (!thread_) doNow();
+      },
+      Qt::QueuedConnection);
+}
+
+void BodyDrawing::doNow() {
+  if (!next_.isEmpty()) work(std::exchange(next_, {}));
+}
 
 void BodyDrawing::run() {
   const QuietWork quietly(kGivesWay);
@@ -191,19 +208,20 @@ void BodyDrawing::run() {
 }
 
 void BodyDrawing::work(const Batch& batch) {
-  const bool isCurrent = context_ && context_->makeCurrent(surface_.get());
+  const bool isCurrent = batch.edges && context_ && context_->makeCurrent(surface_.get());
   QElapsedTimer clock;
   clock.start();
   // Each by itself: what one of them leaves out, the others are not to miss.
   for (const Change& each : batch.changes) attempt([&] { each(*scene_); });
   QImage made;  // without memory for it the last image stays
-  if (batch.edges && isCurrent)
+  if (isCurrent)
     attempt([&] {
       beginOpenGL();
       scene_->render(*batch.edges);
       made = pixels();
     });
-  if (isCurrent) context_->doneCurrent();
+  // For a change alone VTK makes it current where it has something to free.
+  if (context_ && QOpenGLContext::currentContext() == context_.get()) context_->doneCurrent();
   if (!batch.edges) return;
   {
     const std::lock_guard lock(mutex_);

@@ -3,6 +3,7 @@
 #include <vtkNew.h>
 
 #include <QImage>
+#include <QObject>
 #include <QSize>
 #include <condition_variable>
 #include <cstdint>
@@ -23,7 +24,8 @@ class vtkGenericOpenGLRenderWindow;
 namespace ew {
 
 /// A scene, drawn by OpenGL into an image on a thread of its own, which gives way to others. Where the system's OpenGL knows one thread
-/// only, on the thread that asks. All functions are called on the thread of the application; `tell` comes on the drawing's.
+/// only, on the application's, in the turn of its event loop after the one in which it was asked for. All functions are called on the
+/// thread of the application; `tell` comes on the drawing's.
 class BodyDrawing {
  public:
   using Change = std::function<void(bridge::Scene3D&)>;
@@ -69,6 +71,7 @@ class BodyDrawing {
     [[nodiscard]] bool isEmpty() const { return changes.empty() && !edges; }
   };
   void run();
+  void goOn();
   void doNow();
   void work(const Batch& batch);
   void beginOpenGL();
@@ -91,6 +94,8 @@ class BodyDrawing {
   std::optional<Ended> ended_;
   double took_ms_ = 0.0;
   std::unique_ptr<QThread> thread_;  ///< null: on the application's
+  QObject here_;                     ///< of the application's thread
+  bool isPosted_ = false;
 };
 
 }  // namespace ew
