@@ -5,8 +5,10 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QMouseEvent>
 #include <QPlainTextEdit>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTranslator>
@@ -266,6 +268,34 @@ class ReviewTest final : public WindowFixture {
     QVERIFY(shown[1] > 500 && shown[2] > 500);
     QVERIFY2(shown[3] > 0 && shown[3] < shown[2], "what the expert saw and she did not");
     QVERIFY(shown[4] > 0);
+  }
+
+  void theBodyIsSeenAndTurns() {
+    openReview();
+    if (QTest::currentTestFailed()) return;
+    chooseAnn();
+    auto* canvas = stage().seen<QWidget>("reviewBodyCanvas");
+    QVERIFY(canvas != nullptr);
+    const auto skinIn = [](const QImage& image) {
+      int warm = 0;  // ground, box and cube are bluish
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) warm += qRed(image.pixel(x, y)) > qBlue(image.pixel(x, y)) + 8 ? 1 : 0;
+      return warm;
+    };
+    const QImage before = canvas->grab().toImage();
+    QVERIFY2(skinIn(before) > before.width() * before.height() / 20, qPrintable(QString::number(skinIn(before))));
+    QSignalSpy drawn(canvas, SIGNAL(drawn()));
+    const QPoint from = canvas->rect().center(), to = from + QPoint(60, 10);
+    QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, from);
+    QMouseEvent move(QEvent::MouseMove, to, canvas->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(canvas, &move);
+    QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, to);
+    QVERIFY2(!window_->isSettled(), "before it is drawn");
+    settle();
+    QVERIFY(drawn.count() >= 1);
+    const QImage turned = canvas->grab().toImage();
+    QVERIFY(turned != before);
+    QVERIFY(skinIn(turned) > before.width() * before.height() / 20);
   }
 
   void aCommentIsDrawnKeptAndTakenBack() {

@@ -3,9 +3,11 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QEvent>
+#include <QList>
 #include <QMetaObject>
 #include <QPaintEvent>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -14,6 +16,17 @@
 #include "ew/core/contract.h"
 
 namespace ew {
+namespace {
+
+/// A plugin has this library once more: its canvases are known by the name of their class, and asked by names.
+QList<QWidget*> canvasesSeenIn(const QWidget& window) {
+  QList<QWidget*> found;
+  for (QWidget* each : window.findChildren<QWidget*>())
+    if (each->isVisible() && each->inherits(BodyCanvas::staticMetaObject.className())) found.push_back(each);
+  return found;
+}
+
+}  // namespace
 
 BodyCanvas::BodyCanvas(QWidget* parent) : QWidget(parent), scene_(std::make_unique<bridge::Scene3D>(*asked_)) {
   const auto tell = [this] {
@@ -65,9 +78,28 @@ void BodyCanvas::draw(bridge::Scene3D::Edges edges) {
 
 bool BodyCanvas::drawNow(bridge::Scene3D::Edges edges) {
   draw(edges);
+  return finish();
+}
+
+bool BodyCanvas::finish() {
   drawing_->wait();
   take();
   return isDrawn_;
+}
+
+bool BodyCanvas::isAnyDrawing(const QWidget& window) {
+  const QList<QWidget*> canvases = canvasesSeenIn(window);
+  return std::any_of(canvases.begin(), canvases.end(), [](const QWidget* each) { return each->property("drawing").toBool(); });
+}
+
+bool BodyCanvas::finishAll(const QWidget& window) {
+  bool isDrawn = true;
+  for (QWidget* each : canvasesSeenIn(window)) {
+    bool isOne = false;
+    QMetaObject::invokeMethod(each, "finish", Qt::DirectConnection, Q_RETURN_ARG(bool, isOne));
+    isDrawn = isDrawn && isOne;
+  }
+  return isDrawn;
 }
 
 void BodyCanvas::take() {

@@ -17,6 +17,7 @@
 #include "body/body_aids.h"
 #include "body/host_overlays.h"
 #include "case/case_folder_dialog.h"
+#include "ew/body/body_canvas.h"
 #include "ew/core/ending.h"
 #include "ew/library/new_case.h"
 #include "ew/widgets/theme.h"
@@ -374,7 +375,7 @@ bool MainWindow::isSettled() const {
   const WindowParts& p = *parts_;
   if (p.jobs.isRunning() || p.opener->isBusy()) return false;
   if (p.workspaces->isAtStart()) return !p.library.isRefreshing() && !p.details.isBusy() && !p.learning.isBusy() && !p.recent.isBusy();
-  if (p.workspaces->isStaged()) return true;
+  if (p.workspaces->isStaged()) return !BodyCanvas::isAnyDrawing(*this);
   if (p.document.current() && p.opener->showsCase() && hasNoVolume(*p.document.current())) return true;
   return p.session.subject() && !p.session.image().isEmpty();
 }

@@ -15,6 +15,7 @@
 #include <iostream>
 
 #include "body/view3d.h"
+#include "ew/body/body_canvas.h"
 #include "ew/core/printable.h"
 #include "ew/core/version.h"
 #include "ew/ui/main_window.h"
@@ -60,7 +61,8 @@ class Screenshot final : public QObject {
     settled_ = window_.isSettled() ? settled_ + 1 : 0;
     if (settled_ < 20) return;  // a second of rest: the timed figures of the status line are there as well
     poll_.stop();
-    if (!window_.view3d().renderNow() && window_.view3d().isVisible()) return giveUp(View3D::whyNoBody());
+    window_.view3d().renderNow();
+    if (!BodyCanvas::finishAll(window_)) return giveUp(View3D::whyNoBody());
     QApplication::processEvents();
     if (!window_.grab().save(file_, "PNG")) {
       return giveUp(MainWindow::tr("The image cannot be written to '%1'; choose a folder you may write to.").arg(file_));

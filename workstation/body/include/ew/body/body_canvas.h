@@ -21,6 +21,7 @@ class BodyDrawing;
 /// asked for; the other one is drawn, and follows when there is time.
 class BodyCanvas final : public QWidget {
   Q_OBJECT
+  Q_PROPERTY(bool drawing READ isDrawing)
 
  public:
   using Change = std::function<void(bridge::Scene3D&)>;
@@ -45,6 +46,11 @@ class BodyCanvas final : public QWidget {
   bool drawNow(bridge::Scene3D::Edges edges);
   /// From draw() to what tells of its end.
   [[nodiscard]] bool isDrawing() const;
+  /// Waits for what was asked for. @return whether the last drawing was drawn
+  Q_INVOKABLE bool finish();
+  /// Of those that are seen in `window`, a plugin's too.
+  [[nodiscard]] static bool isAnyDrawing(const QWidget& window);
+  [[nodiscard]] static bool finishAll(const QWidget& window);
   [[nodiscard]] double took_ms() const;  ///< the last drawing
 
   /// For tests, after drawNow().

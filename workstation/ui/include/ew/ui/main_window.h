@@ -63,7 +63,7 @@ class MainWindow final : public QMainWindow {
   /// Shows the tour when nobody has seen it yet; it asks nothing and can be left at any moment.
   void offerTour();
 
-  /// Nothing is being loaded, and the image and the 3D view are drawn.
+  /// Nothing is being loaded, and there is an image of the scan; on a plugin's stage no body is being drawn.
   [[nodiscard]] bool isSettled() const;
 
   [[nodiscard]] Session& session();
