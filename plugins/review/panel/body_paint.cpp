@@ -53,16 +53,15 @@ void BodyView::makeStill() {
 void BodyView::paintRegions(QPainter& painter) const {
   if (regions_.empty()) return;
   const ReviewScan* base = scans_.opened(heat_ == Heat::expert ? kCompared : kReviewed);
-  const glm::dvec3 eye = canvas_->scene().eye_mm();
+  const bridge::Sight sight = canvas_->sight();
   std::vector<std::pair<double, const Region*>> order;
-  for (const Region& each : regions_) order.emplace_back(glm::distance(eye, each.middle_mm), &each);
+  for (const Region& each : regions_) order.emplace_back(glm::distance(sight.eye_mm, each.middle_mm), &each);
   std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   const bool isTime = heat_ == Heat::trainee || heat_ == Heat::expert;
   QColor hue = isTime ? colour(heat_ == Heat::expert ? kCompared : kReviewed) : palette().color(QPalette::WindowText);
   for (const auto& [distance, region] : order) {
     const QPointF at = pixelOf(region->middle_mm);
-    const double side =
-        std::max(1.5, base->regions->side_mm() / canvas_->scene().mmPerPixelAt(region->middle_mm) / canvas_->devicePixelRatioF());
+    const double side = std::max(1.5, base->regions->side_mm() / sight.mmPerPixelAt(region->middle_mm));
     // Many lie behind each other: what is thin stays light.
     hue.setAlphaF(isTime ? 0.015 + 0.22 * region->share * region->share : 0.14);
     if (isTime) {

@@ -231,7 +231,7 @@ bool BodyView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QPointF BodyView::pixelOf(const glm::dvec3& p_world_mm) const {
-  const glm::dvec2 at = canvas_->scene().pixelOf(p_world_mm) / canvas_->devicePixelRatioF();
+  const glm::dvec2 at = canvas_->sight().pixelOf(p_world_mm);
   return {at.x, at.y};
 }
 

@@ -46,6 +46,7 @@ class BodyView final : public QWidget {
   /// How many regions are shown, and what they are, in words.
   [[nodiscard]] int shownRegions() const { return static_cast<int>(regions_.size()); }
   [[nodiscard]] QString heatWords() const;
+  /// In the image that is painted by now.
   [[nodiscard]] QPointF pixelOf(const glm::dvec3& p_world_mm) const;
 
  protected:

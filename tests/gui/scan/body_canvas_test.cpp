@@ -138,6 +138,22 @@ class BodyCanvasTest final : public QObject {
     QVERIFY(drawn.x > 0.0 && drawn.y > 0.0);
   }
 
+  void whatLiesOverTheBodyMovesWithItsImage() {
+    const glm::dvec3 somewhere(30.0, -90.0, 120.0);
+    const auto painted = [&] { return canvas_->sight().pixelOf(somewhere); };
+    const auto asked = [&] { return canvas_->scene().pixelOf(somewhere) / canvas_->devicePixelRatioF(); };
+    QVERIFY(glm::distance(painted(), asked()) < 1e-9);
+    const glm::dvec2 before = painted();
+    canvas_->change([](bridge::Scene3D& scene) { scene.orbit(0.3, -0.2); });
+    QVERIFY(glm::distance(asked(), before) > 2.0);
+    QCOMPARE(painted(), before);
+    QVERIFY(canvas_->drawNow(kQuick));
+    QVERIFY(glm::distance(painted(), asked()) < 1e-9);
+    const glm::dvec2 drawn = painted();
+    canvas_->resize(2 * canvas_->size());
+    QVERIFY2(glm::distance(painted(), 2.0 * drawn) < 2.0, "stretched with it");
+  }
+
   void aChangeThatFailsIsLeftOutAlone() {
     const QImage before = seen();
     test::BodyGate gate(*canvas_);

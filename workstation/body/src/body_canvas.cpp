@@ -54,6 +54,13 @@ void BodyCanvas::change(const Change& change) {
 
 void BodyCanvas::changeLooks(Change change) { drawing_->change(std::move(change)); }
 
+bridge::Sight BodyCanvas::sight() const {
+  bridge::Sight seen = image_.isNull() ? scene_->sight() : sight_;
+  const bool isStretched = !image_.isNull() && image_.size() != size_px();
+  seen.window_px = isStretched ? glm::dvec2(width(), height()) : seen.window_px / devicePixelRatioF();
+  return seen;
+}
+
 /// All that is seen of the widget, where its edge lies within a pixel of the screen too.
 QSize BodyCanvas::size_px() const {
   const double ratio = devicePixelRatioF();
@@ -109,6 +116,7 @@ void BodyCanvas::take() {
   hasGivenUp_ = !ended->hasContext;
   if (!ended->image.isNull()) {
     image_ = std::move(ended->image);
+    sight_ = ended->sight;
     update();
     Q_EMIT drawn();
   }

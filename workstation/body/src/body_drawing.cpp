@@ -230,6 +230,7 @@ void BodyDrawing::work(const Batch& batch) {
     ended_->hasContext = isCurrent;
     if (ended_->isDrawn) {
       ended_->image = std::move(made);
+      ended_->sight = scene_->sight();
       took_ms_ = 1e-6 * static_cast<double>(clock.nsecsElapsed());
     }
   }

@@ -54,6 +54,7 @@ class BodyDrawing {
   /// What has ended since somebody asked last.
   struct Ended {
     QImage image;            ///< the newest, opaque; null: there is none since
+    bridge::Sight sight;     ///< where from that was drawn
     bool isDrawn = false;    ///< the last one that was asked for
     bool hasContext = true;  ///< false: OpenGL did not work where it was drawn, and will not the next time
   };

@@ -115,16 +115,16 @@ Ray OrbitCamera::rayAt(glm::dvec2 at_px) const {
   return {eye_mm(), glm::normalize(forward() + fromMiddle.x * right() - fromMiddle.y * up())};
 }
 
-glm::dvec2 OrbitCamera::pixelOf(const glm::dvec3& p_mm) const {
-  const glm::dvec3 fromEye = p_mm - eye_mm();
-  // A point behind the viewer has no pixel; the least depth keeps the answer finite and far outside the window.
-  const double depth_mm = std::max(1.0, glm::dot(fromEye, forward()));
-  const double pixels = height_px_ / (2.0 * kHalfTangent * depth_mm);
-  return 0.5 * glm::dvec2(width_px_, height_px_) + pixels * glm::dvec2(glm::dot(fromEye, right()), -glm::dot(fromEye, up()));
+Sight OrbitCamera::sight() const { return {eye_mm(), forward(), right(), up(), {width_px_, height_px_}}; }
+
+glm::dvec2 Sight::pixelOf(const glm::dvec3& p_world_mm) const {
+  const glm::dvec3 fromEye = p_world_mm - eye_mm;
+  return 0.5 * window_px + glm::dvec2(glm::dot(fromEye, right), -glm::dot(fromEye, up)) / mmPerPixelAt(p_world_mm);
 }
 
-double OrbitCamera::mmPerPixelAt(const glm::dvec3& p_mm) const {
-  return 2.0 * kHalfTangent * std::max(1.0, glm::dot(p_mm - eye_mm(), forward())) / height_px_;
+double Sight::mmPerPixelAt(const glm::dvec3& p_world_mm) const {
+  // A point behind the viewer has no pixel; the least depth keeps the answer finite and far outside the window.
+  return 2.0 * kHalfTangent * std::max(1.0, glm::dot(p_world_mm - eye_mm, forward)) / window_px.y;
 }
 
 }  // namespace ew::bridge

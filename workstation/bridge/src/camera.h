@@ -36,8 +36,9 @@ class OrbitCamera {
   [[nodiscard]] glm::dvec3 up() const;
 
   [[nodiscard]] Ray rayAt(glm::dvec2 at_px) const;
-  [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& p_mm) const;
-  [[nodiscard]] double mmPerPixelAt(const glm::dvec3& p_mm) const;
+  [[nodiscard]] Sight sight() const;
+  [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& p_mm) const { return sight().pixelOf(p_mm); }
+  [[nodiscard]] double mmPerPixelAt(const glm::dvec3& p_mm) const { return sight().mmPerPixelAt(p_mm); }
 
  private:
   [[nodiscard]] glm::dvec3 toViewer() const;

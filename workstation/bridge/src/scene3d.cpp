@@ -529,6 +529,11 @@ double Scene3D::mmPerPixelAt(const glm::dvec3& p_world_mm) const {
   return parts_->camera.mmPerPixelAt(p_world_mm);
 }
 
+Sight Scene3D::sight() const {
+  parts_->syncCamera();
+  return parts_->camera.sight();
+}
+
 int Scene3D::cubeSide_px() const {
   const int* size = parts_->window->GetSize();
   return OrientationCube::side_px({size[0], size[1]});

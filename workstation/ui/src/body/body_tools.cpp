@@ -296,10 +296,11 @@ void BodyTools::paintOver(QPainter& painter) const {
   }
   const auto place = view_.scene().handles();
   if (!used_ || !place) return;
-  const QPointF middle = view_.pixelOf(glm::dvec3(place->toWorld.matrix[3]));
-  const double below_px =
-      place->reach_mm / view_.scene().mmPerPixelAt(glm::dvec3(place->toWorld.matrix[3])) / view_.canvas()->devicePixelRatioF();
-  paintWords(painter, wordsOfUse(), middle + QPointF(0.0, below_px + 20.0), room);
+  const glm::dvec3 middle_mm(place->toWorld.matrix[3]);
+  const bridge::Sight sight = view_.sight();
+  const glm::dvec2 middle = sight.pixelOf(middle_mm);
+  const double below_px = place->reach_mm / sight.mmPerPixelAt(middle_mm);
+  paintWords(painter, wordsOfUse(), {middle.x, middle.y + below_px + 20.0}, room);
 }
 
 }  // namespace ew::ui

@@ -409,6 +409,8 @@ QPointF View3D::pixelOf(const glm::dvec3& p_world_mm) const {
   return {at.x, at.y};
 }
 
+bridge::Sight View3D::sight() const { return parts_->canvas->sight(); }
+
 QWidget* View3D::canvas() const { return parts_->canvas; }
 const bridge::Scene3D& View3D::scene() const { return parts_->canvas->scene(); }
 

@@ -86,7 +86,10 @@ class View3D : public QWidget {
   [[nodiscard]] bool isProbeAt(const QPoint& at) const;
   /// Paints over the view whenever it is drawn, and once now; empty: nothing lies over it.
   void setOver(std::function<void(QPainter&)> paint);
+  /// Where it is, or will be with the next drawing.
   [[nodiscard]] QPointF pixelOf(const glm::dvec3& p_world_mm) const;
+  /// Where what is painted by now was drawn from, in logical pixels: for what is painted over it.
+  [[nodiscard]] bridge::Sight sight() const;
 
   /// The widget that receives mouse, wheel and keys.
   [[nodiscard]] QWidget* canvas() const;

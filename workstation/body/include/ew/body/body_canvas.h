@@ -31,6 +31,9 @@ class BodyCanvas final : public QWidget {
 
   /// As everything was asked for by change(). It is never drawn.
   [[nodiscard]] const bridge::Scene3D& scene() const { return *scene_; }
+  /// Where what is painted by now was drawn from, in logical pixels of the widget: what lies over it is painted by this. As scene() while
+  /// nothing is drawn.
+  [[nodiscard]] bridge::Sight sight() const;
   /// In scene() now, and in what is drawn before its next image. What `change` has captured is its own.
   void change(const Change& change);
   /// In what is drawn alone: looks that scene() has no question about.
@@ -78,6 +81,7 @@ class BodyCanvas final : public QWidget {
   std::unique_ptr<bridge::Scene3D> scene_;
   QSize sized_px_;
   QImage image_;
+  bridge::Sight sight_;                   ///< of image_
   bool isDrawn_ = false;                  ///< what was asked for last
   bool hasGivenUp_ = false;               ///< the context did not work where it was to be drawn
   std::unique_ptr<BodyDrawing> drawing_;  ///< ends first

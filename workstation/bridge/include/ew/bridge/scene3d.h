@@ -33,6 +33,17 @@ struct Ray {
   glm::dvec3 direction{0.0};  ///< unit length, away from the viewer
 };
 
+/// Where a scene is seen from, in a window of that size: a copy that stays as it is.
+struct Sight {
+  glm::dvec3 eye_mm{0.0};
+  glm::dvec3 forward{0.0, 1.0, 0.0}, right{1.0, 0.0, 0.0}, up{0.0, 0.0, 1.0};  ///< unit, world
+  glm::dvec2 window_px{1.0};
+
+  /// From the window's upper left corner. A point behind the viewer lies far outside.
+  [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& p_world_mm) const;
+  [[nodiscard]] double mmPerPixelAt(const glm::dvec3& p_world_mm) const;
+};
+
 /// Red, green, blue, each 0..1.
 struct SceneColours {
   glm::dvec3 groundTop{0.125, 0.130, 0.145};
@@ -110,6 +121,7 @@ class Scene3D {
   [[nodiscard]] bool isProbeAt(glm::dvec2 at_px) const;
   [[nodiscard]] glm::dvec2 pixelOf(const glm::dvec3& p_world_mm) const;
   [[nodiscard]] double mmPerPixelAt(const glm::dvec3& p_world_mm) const;
+  [[nodiscard]] Sight sight() const;
   /// The square in the window's lower right corner that the cube takes.
   [[nodiscard]] int cubeSide_px() const;
   [[nodiscard]] glm::dvec3 cameraRight() const;  ///< unit, world

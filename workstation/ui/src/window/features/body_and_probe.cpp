@@ -106,7 +106,10 @@ void BodyAndProbe::paintOver() {
   const HostOverlays& overlays = parts_.host->hostOverlays();
   if (!overlays.isBodyDrawnOver() && !parts_.bodyTools->isDrawnOver()) return parts_.view3d->setOver({});
   parts_.view3d->setOver([&p = parts_, &overlays](QPainter& painter) {
-    overlays.paintOverBody(painter, [&p](const Point<frame::World>& at) { return p.view3d->pixelOf(at.at); });
+    overlays.paintOverBody(painter, [sight = p.view3d->sight()](const Point<frame::World>& at) {
+      const glm::dvec2 pixel = sight.pixelOf(at.at);
+      return QPointF(pixel.x, pixel.y);
+    });
     p.bodyTools->paintOver(painter);
   });
 }
