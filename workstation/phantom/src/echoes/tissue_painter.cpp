@@ -41,8 +41,8 @@ void OrganFinder::select(const glm::dvec3& centre_mm, int voxels, std::vector<co
   near.clear();
   const double radius_mm = blockRadius_mm(voxels, spacing_mm_);
   for (const Organ* organ : all_) {
-    // As far as anything is asked of an organ at a voxel. Feet of surfaces beside voxels ask a little farther, which blocks of a whole leave
-    // out: at its corner a foot may miss an organ that only touches its neighbourhood.
+    // As far as anything is asked of an organ at a voxel. Feet of surfaces beside voxels ask a little farther, which blocks of a whole
+    // leave out: at its corner a foot may miss an organ that only touches its neighbourhood.
     const double margin = std::max({organ->border ? organ->border->width_mm : 0.0, spacing_mm_, voxels < kPaintedBlock ? asked_mm_ : 0.0});
     if (organ->shape->atLeast_mm(centre_mm) > radius_mm + margin) continue;
     const double far_mm = kReserve * (radius_mm + margin), d = organ->shape->distanceUpTo_mm(centre_mm, far_mm);
