@@ -203,7 +203,7 @@ TEST(TissuePart, IsLookedForFromEveryPlaceAndNoFurtherThanItIsWorth) {
 TEST(TissuePart, IsRefusedAndStoppedAsTheWholeIs) {
   const auto patient = patientIn(13);
   const std::vector<Capsule> capsules{{glm::dvec3(0.0), glm::dvec3(0.0), 10.0}};
-  const SeenPlaces seen{capsules, {glm::dmat4(1.0)}};
+  const ViewPlaces seen{capsules, {glm::dmat4(1.0)}};
   const auto bad = voxelBlocksAt(seen, boxOf(*patient), 0.0, 1.0, noProgress());
   ASSERT_FALSE(bad);
   EXPECT_EQ(bad.error().code, ErrorCode::badField);

@@ -93,7 +93,7 @@ bool showsLittle(const ScanArguments& arguments) {
   return arguments.contactSheet.empty() && arguments.times_s.empty() && !arguments.breath && !arguments.pulse;
 }
 
-Result<ScanSubject> readSubject(const ScanArguments& arguments, const Wanted& wanted, const AskedImages& images, Run& run) {
+Result<ScanSubject> readSubject(const ScanArguments& arguments, const Wanted& wanted, const StillImages& images, Run& run) {
   if (wanted.opened) {
     auto contents = showsLittle(arguments) ? readCaseContentsFor(run, *wanted.opened, images) : readCaseContents(run, *wanted.opened);
     if (!contents) return passOn(contents.error());

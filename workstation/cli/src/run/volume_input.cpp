@@ -92,13 +92,13 @@ Result<CaseContents> readCaseContents(Run& run, const Case& opened) {
   return contents;
 }
 
-Result<CaseContents> readCaseContentsFor(Run& run, const Case& opened, const AskedImages& images) {
+Result<CaseContents> readCaseContentsFor(Run& run, const Case& opened, const StillImages& images) {
   if (auto kept = run.input(opened.folder / "case.json"); !kept) return passOn(kept.error());
   std::optional<double> share;  // of what was made
   auto contents = [&]() -> Result<CaseContents> {
     const StepClock clock(run.report, "read");
     PartOfProgress reading(run.progress, 0.0, kShareOfReading);
-    auto seen = readSeenContents(opened, images, reading);
+    auto seen = readContentsFor(opened, images, reading);
     if (!seen) return passOn(seen.error());
     if (!*seen) return readContents(opened, reading);
     share = (*seen)->share;

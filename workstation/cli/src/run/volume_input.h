@@ -5,7 +5,7 @@
 #include "ew/core/pose.h"
 #include "ew/core/volume.h"
 #include "ew/library/case.h"
-#include "ew/scanning/seen_contents.h"
+#include "ew/scanning/contents_for_images.h"
 #include "ew/scanning/subject.h"
 #include "run/command.h"
 
@@ -41,8 +41,8 @@ inline constexpr std::uint64_t kMapFrom_bytes = 1ull << 30;
 /// What a case's manifest names, made first when it has to be; timed, notes told as remarks.
 [[nodiscard]] Result<CaseContents> readCaseContents(Run& run, const Case& opened);
 
-/// The same, and of a case that would take long no more than these images of it show (readSeenContents), which is said.
-[[nodiscard]] Result<CaseContents> readCaseContentsFor(Run& run, const Case& opened, const AskedImages& images);
+/// The same, and of a case that would take long no more than these images of it show (readContentsFor), which is said.
+[[nodiscard]] Result<CaseContents> readCaseContentsFor(Run& run, const Case& opened, const StillImages& images);
 
 /// Makes the level of a recorded volume where a scene asks for live echoes and none is known, and gives the subject both; timed and told.
 /// @error as recordedTissueOf

@@ -20,10 +20,10 @@ using phantom::Organ;
 constexpr int kBlocksOfTask = 128;
 
 /// Which blocks of a grid's voxels are asked for.
-class AskedBlocks {
+class BlockMarks {
  public:
   /// @param beyond_mm how much farther than the capsules
-  AskedBlocks(const Grid& grid, double beyond_mm)
+  BlockMarks(const Grid& grid, double beyond_mm)
       : grid_(grid),
         count_((grid.dims + kInnerBlock - 1) / kInnerBlock),
         spacing_mm_(grid.spacing_mm.x),
@@ -159,12 +159,12 @@ bool paintBlocks(const Patient& patient, const std::vector<glm::ivec3>& blocks, 
 
 }  // namespace
 
-Result<std::optional<VoxelBlocks>> voxelBlocksAt(const SeenPlaces& seen, const Bounds& box, double spacing_mm, double mostShare,
+Result<std::optional<VoxelBlocks>> voxelBlocksAt(const ViewPlaces& seen, const Bounds& box, double spacing_mm, double mostShare,
                                                  Progress& progress) {
   if (auto usable = phantom::checkVoxelSpacing(spacing_mm); !usable) return passOn(usable.error());
   VoxelBlocks blocks{phantom::voxelGridOver(box, spacing_mm)};
   if (const auto usable = checkGrid(blocks.grid); !usable) return passOn(usable.error());
-  AskedBlocks asked(blocks.grid, surfacesReach_mm(spacing_mm));
+  BlockMarks asked(blocks.grid, surfacesReach_mm(spacing_mm));
   for (std::size_t n = 0; n < seen.toPatient.size(); ++n) {
     if (progress.cancelRequested()) return phantom::stoppedByUser();
     progress.report(say<"Looking what the images show">(), static_cast<double>(n) / static_cast<double>(seen.toPatient.size()));

@@ -21,7 +21,6 @@
 #include "ew/library/preparation.h"
 #include "ew/library/voxel_source.h"
 #include "ew/scanning/contact.h"
-#include "ew/widgets/handler_watch.h"
 #include "ew/widgets/words.h"
 #include "import/opener_scan.h"
 #include "jobs/message_bar.h"
@@ -335,14 +334,8 @@ void Opener::openCase(const QString& path, LongCases longOnes) {
         messages_.forgetWhatIsPast();
         takeContents(*loaded);
         patient_.reset();
-        {
-          const HandlerWatch::Part part("telling everybody of an opened case");
-          document_.open(*loaded->opened, loaded->asRead);
-        }
-        {
-          const HandlerWatch::Part part("telling everybody of a subject");
-          scanCase();
-        }
+        document_.open(*loaded->opened, loaded->asRead);
+        scanCase();
         tellOpened(path, contents_->read.notes);
         Q_EMIT opened(path);
       });

@@ -13,7 +13,7 @@
 namespace ew {
 
 /// What some images look at: the same capsules, in the frame of the probe, seen from one place after another.
-struct SeenPlaces {
+struct ViewPlaces {
   std::vector<Capsule> capsules;
   std::vector<glm::dmat4> toPatient;  ///< rigid: from the probe's frame to the patient's own
 };
@@ -29,7 +29,7 @@ struct VoxelBlocks {
 /// @param box of the patient (boxOf, readPatientBox)
 /// @param mostShare nothing is returned as soon as they are more
 /// @error badField (spacing), cancelled (within 0.1 s)
-[[nodiscard]] Result<std::optional<VoxelBlocks>> voxelBlocksAt(const SeenPlaces& seen, const Bounds& box, double spacing_mm,
+[[nodiscard]] Result<std::optional<VoxelBlocks>> voxelBlocksAt(const ViewPlaces& seen, const Bounds& box, double spacing_mm,
                                                                double mostShare, Progress& progress);
 
 struct TissuePartOptions {

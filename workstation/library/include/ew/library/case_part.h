@@ -11,7 +11,7 @@
 namespace ew {
 
 /// What of a case some images of live echoes look at, made for them alone.
-struct SeenPart {
+struct CasePart {
   CaseEcho echo;       ///< labels and tissue as those of the whole where they were asked for, else 0; the volume holds no echo at all
   double share = 0.0;  ///< of the case's voxels
 };
@@ -21,7 +21,7 @@ struct SeenPart {
 /// @param seen_probe what images look at (reachOfFrame), in the probe's frame
 /// @param poses of the images; those at which nothing can be seen ask for nothing
 /// @error as loadCaseVolume
-[[nodiscard]] Result<std::optional<SeenPart>> loadSeenPart(const Case& opened, std::vector<Capsule> seen_probe, std::span<const Pose> poses,
+[[nodiscard]] Result<std::optional<CasePart>> loadCasePart(const Case& opened, std::vector<Capsule> seen_probe, std::span<const Pose> poses,
                                                            Progress& progress, const PreparationOptions& options = {});
 
 }  // namespace ew

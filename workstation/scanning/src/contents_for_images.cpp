@@ -1,15 +1,15 @@
-#include "ew/scanning/seen_contents.h"
+#include "ew/scanning/contents_for_images.h"
 
 #include <memory>
 #include <utility>
 
 #include "ew/imaging/frame_reach.h"
-#include "ew/library/seen_part.h"
+#include "ew/library/case_part.h"
 
 namespace ew {
 
-Result<std::optional<SeenContents>> readSeenContents(const Case& opened, const AskedImages& images, Progress& progress) {
-  auto part = loadSeenPart(opened, reachOfFrame(images.probe, images.knobs, opened.scene), images.poses, progress);
+Result<std::optional<ContentsForImages>> readContentsFor(const Case& opened, const StillImages& images, Progress& progress) {
+  auto part = loadCasePart(opened, reachOfFrame(images.probe, images.knobs, opened.scene), images.poses, progress);
   if (!part) return passOn(part.error());
   if (!*part) return std::nullopt;
   CaseEcho& echo = (*part)->echo;
@@ -20,7 +20,7 @@ Result<std::optional<SeenContents>> readSeenContents(const Case& opened, const A
   contents.motion = std::move(echo.motion);
   contents.tissues = std::move(echo.tissues);
   contents.fileToWorld = opened.volume.fileToWorld;
-  return SeenContents{std::move(contents), (*part)->share};
+  return ContentsForImages{std::move(contents), (*part)->share};
 }
 
 }  // namespace ew

@@ -1,5 +1,5 @@
 // Images of what was made for them alone are those of the whole case.
-#include "ew/scanning/seen_contents.h"
+#include "ew/scanning/contents_for_images.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 #include "ew/scanning/scanner.h"
 #include "library/coarse_case.h"
 
-namespace ew::seen_contents_test {
+namespace ew::contents_for_images_test {
 namespace {
 
 using test::EnvironmentValue;
@@ -44,7 +44,7 @@ Pose movedBy(const Pose& pose, const glm::dvec3& by_mm, double turned_rad) {
   return moved;
 }
 
-class SeenContentsOf : public ::testing::TestWithParam<std::string> {
+class ContentsOfCase : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
     const auto shipped = loadCase(*shippedCasesFolder() / GetParam());
@@ -57,11 +57,11 @@ class SeenContentsOf : public ::testing::TestWithParam<std::string> {
     ASSERT_TRUE(there) << there.error();
     probes_ = there->probes;
   }
-  [[nodiscard]] std::vector<AskedImages> asked() const {
-    std::vector<AskedImages> all;
+  [[nodiscard]] std::vector<StillImages> asked() const {
+    std::vector<StillImages> all;
     for (const Probe& probe : probes_) {
       if (std::find(opened_.probes.begin(), opened_.probes.end(), probe.id) == opened_.probes.end()) continue;
-      AskedImages images{probe, {}, {*opened_.startPose, movedBy(*opened_.startPose, {8.0, 3.0, -6.0}, 0.7)}};
+      StillImages images{probe, {}, {*opened_.startPose, movedBy(*opened_.startPose, {8.0, 3.0, -6.0}, 0.7)}};
       images.knobs.depth_mm = 0.6 * resolvedDepth_mm(probe, {});
       all.push_back(images);
       images.knobs.compoundAngles = 3;
@@ -88,15 +88,15 @@ class SeenContentsOf : public ::testing::TestWithParam<std::string> {
   Case opened_;
   std::vector<Probe> probes_;
 };
-INSTANTIATE_TEST_SUITE_P(Shipped, SeenContentsOf,
+INSTANTIATE_TEST_SUITE_P(Shipped, ContentsOfCase,
                          ::testing::Values("upper-abdomen-gall-stone", "neck-carotid-thyroid", "fetal-biometry", "focused-trauma"),
                          test::nameOfCase);
 
-TEST_P(SeenContentsOf, GiveThePixelsOfTheWhole) {
+TEST_P(ContentsOfCase, GiveThePixelsOfTheWhole) {
   test::writeText(folder_ / "cache/speed.json", R"({"voxels": 50.0})");  // a machine so slow that even this is worth a part
-  std::vector<std::pair<AskedImages, SeenContents>> parts;
-  for (const AskedImages& images : asked()) {
-    auto part = readSeenContents(opened_, images, noProgress());
+  std::vector<std::pair<StillImages, ContentsForImages>> parts;
+  for (const StillImages& images : asked()) {
+    auto part = readContentsFor(opened_, images, noProgress());
     ASSERT_TRUE(part) << part.error();
     ASSERT_TRUE(*part) << images.probe.id << " sees too much to be worth a part";
     parts.emplace_back(images, std::move(**part));
@@ -115,18 +115,18 @@ TEST_P(SeenContentsOf, GiveThePixelsOfTheWhole) {
       EXPECT_EQ(imageOf(subjectOf(opened_, part.contents), other), imageOf(subjectOf(opened_, *whole), other)) << images.probe.id;
       EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](int grey) { return grey > 20; }), 1000) << images.probe.id;
     }
-  const auto there = readSeenContents(opened_, asked().front(), noProgress());
+  const auto there = readContentsFor(opened_, asked().front(), noProgress());
   ASSERT_TRUE(there) << there.error();
   EXPECT_FALSE(*there) << "the whole is there";
 }
 
-TEST_P(SeenContentsOf, AreNotMadeWhereEchoesAreSliced) {
+TEST_P(ContentsOfCase, AreNotMadeWhereEchoesAreSliced) {
   test::writeText(folder_ / "cache/speed.json", R"({"voxels": 50.0})");
   opened_.scene.liveEchoes.reset();
-  const auto part = readSeenContents(opened_, asked().front(), noProgress());
+  const auto part = readContentsFor(opened_, asked().front(), noProgress());
   ASSERT_TRUE(part) << part.error();
   EXPECT_FALSE(*part);
 }
 
 }  // namespace
-}  // namespace ew::seen_contents_test
+}  // namespace ew::contents_for_images_test

@@ -1,4 +1,4 @@
-#include "ew/library/seen_part.h"
+#include "ew/library/case_part.h"
 
 #include <utility>
 #include <vector>
@@ -43,7 +43,7 @@ Result<CaseEcho> makeSeen(const CasePlan& plan, const VoxelBlocks& blocks, const
 
 }  // namespace
 
-Result<std::optional<SeenPart>> loadSeenPart(const Case& opened, std::vector<Capsule> seen_probe, std::span<const Pose> poses,
+Result<std::optional<CasePart>> loadCasePart(const Case& opened, std::vector<Capsule> seen_probe, std::span<const Pose> poses,
                                              Progress& progress, const PreparationOptions& options) {
   if (opened.volume.recipe.empty() || seen_probe.empty()) return std::nullopt;
   if (auto rigid = checkRigid(opened.volume.fileToWorld); !rigid) return passOn(rigid.error());
@@ -63,7 +63,7 @@ Result<std::optional<SeenPart>> loadSeenPart(const Case& opened, std::vector<Cap
   if (!made) return passOn(made.error());
   made->tissues = std::move(*tissues);
   placeEcho(opened, *made);
-  return SeenPart{std::move(*made), (*blocks)->share};
+  return CasePart{std::move(*made), (*blocks)->share};
 }
 
 }  // namespace ew
