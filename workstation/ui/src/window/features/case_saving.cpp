@@ -136,7 +136,10 @@ void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
   if (parts_.access.isLocked()) return;  // they are an author's, and wait
   if (asksAboutKept_) return;            // a case that came while somebody thinks about its edits
   offeredFor_.push_back(caseFolder);
-  if (isLooking_) return;
+  if (!isLooking_) lookForKept();
+}
+
+void CaseSaving::lookForKept() {
   isLooking_ = true;
   auto found = std::make_shared<std::vector<EditsLeft>>();
   parts_.jobs.start(
@@ -151,10 +154,11 @@ void CaseSaving::offerKeptEdits(const std::filesystem::path& caseFolder) {
         if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"Stopped as asked.">());
         return {};
       },
-      [this, found](const Result<void>& outcome) {
+      [this, found, folders = std::exchange(offeredFor_, {})](const Result<void>& outcome) {
         isLooking_ = false;
-        const auto folders = std::exchange(offeredFor_, {});
-        if (outcome) askAboutKept(*found, folders);
+        if (!outcome) return;
+        askAboutKept(*found, folders);
+        if (!isLooking_ && !offeredFor_.empty()) lookForKept();  // who asked meanwhile may know of edits that came meanwhile
       },
       Jobs::Kind::background);
 }

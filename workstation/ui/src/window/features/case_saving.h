@@ -45,6 +45,7 @@ class CaseSaving final : public Feature {
     EditAutosave::Left left;
     Result<Case> edited;
   };
+  void lookForKept();
   void askAboutKept(const std::vector<EditsLeft>& all, const std::vector<std::filesystem::path>& folders);
   void save(bool elsewhere);
   bool saveCase(bool elsewhere);  ///< shows what went wrong. @return whether it is saved
