@@ -104,6 +104,12 @@ ew_tidy_groups() {
     }' <(printf '%s\n' "$@") "$folder/compile_commands.json"
 }
 
+# ew_tidy_ours: of what clang-tidy says, all but leaks inside Qt's headers: it does not know that Qt lets go of a call that waits
+# (QMetaObject::invokeMethod, QTimer::singleShot).
+ew_tidy_ours() {
+  awk '/^[^ ].*: (error|warning): / { isQts = /\/qt[56]\/.*Potential memory leak/ } !isQts'
+}
+
 # ew_tidy_run FOLDER END SOURCE: clang-tidy over one source by FOLDER/compile_commands.json, unless less than thirty seconds are left to END
 # (in seconds since 1970; 0: it never ends). Its findings are in `said`; fails with 124 where the time was up.
 ew_tidy_run() {
@@ -115,6 +121,10 @@ ew_tidy_run() {
     limit=(timeout "$left")
   fi
   said=$("${limit[@]}" clang-tidy --quiet -p "$1" --warnings-as-errors='*' "$3" 2>"$1/errors.$$") || status=$?
+  if [ "$status" -eq 1 ] && [ -n "$said" ]; then
+    said=$(ew_tidy_ours <<<"$said")
+    [ -n "$said" ] || status=0
+  fi
   [ "$status" -eq 0 ] || [ -n "$said" ] || said=$(<"$1/errors.$$")
   rm -f "$1/errors.$$"
   return "$status"
@@ -151,7 +161,7 @@ ew_tidy_half() {
   sed -n "$3,$4p" "$1/UnifiedSource.cpp" >"$2/UnifiedSource.cpp"
   sed "s|$1/UnifiedSource|$2/UnifiedSource|g" "$1/compile_commands.json" >"$2/compile_commands.json"
 }
-export -f ew_tidy_run ew_tidy_group ew_tidy_half
+export -f ew_tidy_ours ew_tidy_run ew_tidy_group ew_tidy_half
 
 # ew_tidy SECONDS [FILE...]: clang-tidy over the sources among the files (all without any), and a line that says how many it looked at. It is
 # over after SECONDS and begins nothing in the last thirty; 0: it takes as long as it takes. Fails where there is a finding.

@@ -19,7 +19,6 @@
 #include "ew/sdk/scan.h"
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
-#include "ew/widgets/later.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "logic/measurements.h"
@@ -244,7 +243,7 @@ void CasePanel::showField(const std::string& path) {
   if (row->second.section != nullptr) row->second.section->setOpen(true);
   scroll_->widget()->layout()->activate();
   // Once the opened section has its place.
-  callLater(0, this, [this, editor = QPointer<QWidget>(row->second.editor)] {
+  QTimer::singleShot(0, this, [this, editor = QPointer<QWidget>(row->second.editor)] {
     if (!editor) return;
     scroll_->ensureWidgetVisible(editor, 0, 10 * kGrid_px);
     // The list stays in sight; what is typed next is for the field.

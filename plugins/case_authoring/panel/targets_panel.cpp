@@ -12,12 +12,12 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ew/widgets/fields.h"
 #include "ew/widgets/labels.h"
-#include "ew/widgets/later.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
 #include "logic/targets.h"
@@ -70,7 +70,8 @@ TargetsPanel::TargetsPanel(sdk::Host& host, QWidget* parent)
   work_->onSaid = [this](const QString& sentence) { say(sentence); };
   changed_ = host_.cases().onChanged([this] { showCase(); });
   // What is scanned changes right after the case does.
-  opened_ = host_.caseParts().onOpened([this](const std::filesystem::path&) { callLater(0, work_, [this] { work_->followCase(); }); });
+  opened_ =
+      host_.caseParts().onOpened([this](const std::filesystem::path&) { QTimer::singleShot(0, work_, [this] { work_->followCase(); }); });
   qApp->installEventFilter(this);
   showCase();
   work_->followCase();

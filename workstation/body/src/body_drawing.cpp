@@ -225,7 +225,7 @@ void BodyDrawing::work(const Batch& batch) {
   if (!batch.edges) return;
   {
     const std::lock_guard lock(mutex_);
-    if (!ended_) ended_.emplace();
+    if (!ended_) ended_ = Ended{};
     ended_->isDrawn = !made.isNull();
     ended_->hasContext = isCurrent;
     if (ended_->isDrawn) {

@@ -8,12 +8,12 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStringListModel>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "annotate/annotation_paint.h"
-#include "ew/widgets/later.h"
 #include "ew/widgets/theme.h"
 #include "scan/scan_view.h"
 
@@ -348,7 +348,7 @@ bool AnnotationLayer::eventFilter(QObject* watched, QEvent* event) {
   if (watched == field_) {
     if (event->type() == QEvent::FocusOut && !completer_->popup()->isVisible()) {
       isLeftEmpty_ = hasNothingTyped() && static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason;
-      if (isLeftEmpty_) callLater(0, this, [this] { isLeftEmpty_ = false; });  // the click itself comes before that
+      if (isLeftEmpty_) QTimer::singleShot(0, this, [this] { isLeftEmpty_ = false; });  // the click itself comes before that
       endWriting(true);
     }
     return false;

@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QShowEvent>
 #include <QTabWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -15,7 +16,6 @@
 #include "ew/library/access.h"
 #include "ew/library/case.h"
 #include "ew/sdk/case_parts.h"
-#include "ew/widgets/later.h"
 #include "ew/widgets/save_file.h"
 #include "ew/widgets/words.h"
 #include "jobs/message_bar.h"
@@ -222,7 +222,7 @@ class HostCaseParts final : public sdk::CaseParts {
   [[nodiscard]] sdk::Ticket onAsked(const std::string& name, AskCallback callback) override {
     sdk::Ticket ticket = asked_[name].add(std::move(callback));
     // A panel is made when it is first seen, so it may be asked before it listens; it is told once it is whole.
-    if (unheard_ && unheard_->name == name) callLater(0, &here_, [this] { tellUnheard(); });
+    if (unheard_ && unheard_->name == name) QTimer::singleShot(0, &here_, [this] { tellUnheard(); });
     return ticket;
   }
   const AccessPolicy* access = nullptr;

@@ -20,7 +20,6 @@
 #include "ew/core/version.h"
 #include "ew/ui/main_window.h"
 #include "ew/widgets/apply_theme.h"
-#include "ew/widgets/later.h"
 #include "jobs/jobs.h"
 #include "jobs/message_bar.h"
 #include "scan/session.h"
@@ -152,11 +151,11 @@ int runWorkstation(int argc, char** argv, const WindowOptions& options) {
   app.attempt([&] {
     if (!isScreenshot) {
       window.prepareCases();
-      callLater(0, &window, [&window] {
+      QTimer::singleShot(0, &window, [&window] {
         window.offerKeptEdits();
         window.offerUnsavedWork();
       });
-      callLater(0, &window, &MainWindow::offerTour);
+      QTimer::singleShot(0, &window, &MainWindow::offerTour);
     }
     if (options.workspace == "author") window.setWorkspace(Workspace::author);
   });

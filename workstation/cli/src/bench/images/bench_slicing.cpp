@@ -202,7 +202,7 @@ class Collector final : public benchmark::BenchmarkReporter {
 
 void timeCases(std::vector<SlicingCase>& cases, const SlicingScene& scene, const BenchOptions& options, Progress& progress) {
   std::map<std::string, SlicingCase*> byName;
-  const double total = static_cast<double>(cases.size()) * options.repetitions;
+  [[maybe_unused]] const double total = static_cast<double>(cases.size()) * options.repetitions;
   double done = 0.0;
   benchmark::ClearRegisteredBenchmarks();
   for (SlicingCase& tested : cases) {

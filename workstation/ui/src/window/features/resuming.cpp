@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTimer>
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -18,7 +19,6 @@
 #include "ew/core/volume.h"
 #include "ew/io/volume_file.h"
 #include "ew/scanning/recording.h"
-#include "ew/widgets/later.h"
 #include "ew/widgets/words.h"
 #include "scan/still_image.h"
 #include "window/features/case_saving.h"
@@ -113,7 +113,7 @@ void Resuming::offer() {
 void Resuming::ask(std::vector<RecoverableWork> left) {
   WindowParts& p = parts_;
   if (p.caseSaving->isOffering())  // one question after the other
-    return callLater(kLookAgain_ms, this, [this, left = std::move(left)]() mutable { ask(std::move(left)); });
+    return QTimer::singleShot(kLookAgain_ms, this, [this, left = std::move(left)]() mutable { ask(std::move(left)); });
   for (RecoverableWork& work : left) {
     if (work.kind == kExpertScanWork && p.access.isLocked()) continue;  // it is an author's, and waits
     if (work.isEmpty()) {
@@ -157,7 +157,7 @@ void Resuming::next() {
   const RecoverableWork& first = left_.front();
   if (first.step || first.path.isEmpty() || isOpenFor(first)) {
     // What is still being opened would take the place of what is shown here.
-    if (p.opener->isBusy() && !first.step) return callLater(kLookAgain_ms, this, &Resuming::next);
+    if (p.opener->isBusy() && !first.step) return QTimer::singleShot(kLookAgain_ms, this, &Resuming::next);
     return resume();
   }
   p.opener->open(first.path);
@@ -197,7 +197,7 @@ void Resuming::leaveForLater() {
   if (left_.empty()) return;
   p.messages->showError(notOpened(left_.front().path));
   left_.erase(left_.begin());
-  callLater(0, this, &Resuming::next);
+  QTimer::singleShot(0, this, &Resuming::next);
 }
 
 void Resuming::leaveUnshown(const RecoverableWork& work) {
@@ -234,7 +234,7 @@ void Resuming::resume() {
   const RecoverableWork work = std::move(left_.front());
   left_.erase(left_.begin());
   if (!work.step && !work.volumes.empty()) return takeVolumes(work);
-  if (!left_.empty()) callLater(0, this, &Resuming::next);
+  if (!left_.empty()) QTimer::singleShot(0, this, &Resuming::next);
   if (work.step) {
     work.left->release();  // the lessons take it up when they go on
     return parts_.opening->openLesson(work.path, QString::fromStdString(work.step->lesson));
