@@ -294,19 +294,20 @@ HWY_INLINE void addBlockOf(const ScatterTask& task, const ScatterBlock& block, B
 void addScatterersOf(const ScatterTask& task, const std::vector<ScatterBlock>& blocks, ScattererStore& store) {
   Pending pending;
   store.begin(blocks.size());
-  BlockScatterers* next = nullptr;
+  if (blocks.empty()) return;
   const auto ask = [&](std::size_t n) {
     bool isNew = false;
-    next = &store.at(blocks[n].cell, isNew);
+    BlockScatterers& asked = store.at(blocks[n].cell, isNew);
     if (isNew)
       announce(task, blocks[n]);
     else
-      announce(*next);
+      announce(asked);
+    return &asked;
   };
-  if (!blocks.empty()) ask(0);
+  BlockScatterers* next = ask(0);
   for (std::size_t n = 0; n < blocks.size(); ++n) {
     BlockScatterers& own = *next;
-    if (n + 1 < blocks.size()) ask(n + 1);
+    if (n + 1 < blocks.size()) next = ask(n + 1);
     addBlockOf(task, blocks[n], own, pending);
   }
   pending.flush();
