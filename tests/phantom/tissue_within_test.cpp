@@ -9,7 +9,6 @@
 #include <set>
 #include <string>
 
-#include "ew/phantom/speckle.h"
 #include "recipes.h"
 
 namespace ew::tissue_within_test {
@@ -221,18 +220,6 @@ TEST(TissuePart, IsRefusedAndStoppedAsTheWholeIs) {
   const auto stopped = tissueWithin(*patient, blocksAt(*patient, capsules), {}, stop);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
-}
-
-TEST(NoiseAlong, IsValueNoiseToTheLastBit) {
-  std::mt19937_64 random(5);
-  NoiseAlong along;
-  const auto even = [&] { return static_cast<double>(random() >> 11) * 0x1.0p-53; };
-  glm::dvec3 at(-3.7, 2.2, 0.0);
-  for (int n = 0; n < 20000; ++n) {
-    at += glm::dvec3(0.3 * even() - 0.1, 0.1 * even() - 0.05, 0.05 * even());
-    const std::uint64_t seed = n % 1000 < 990 ? 7 : 8;  // another seed in the same cell is another noise
-    ASSERT_EQ(along.at(seed, at), valueNoise(seed, at)) << n;
-  }
 }
 
 }  // namespace

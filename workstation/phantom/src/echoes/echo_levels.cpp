@@ -31,31 +31,13 @@ double tissueLevelAt(const Patient& patient, std::size_t number, const glm::dvec
   return tissueLevelAt(tissue, number, place_mm, asksTheSkin ? patient.skin->distance_mm(place_mm) : 0.0);
 }
 
-namespace {
-
-/// @param coarse, fine noise(seed, at) of the two sizes of grains
-template <class Coarse, class Fine>
-double texturedLevel(const Tissue& tissue, std::size_t number, const glm::dvec3& place_mm, double skin_mm, const Coarse& coarse,
-                     const Fine& fine) {
+double tissueLevelAt(const Tissue& tissue, std::size_t number, const glm::dvec3& place_mm, double skin_mm) {
   const TissueTexture& texture = tissue.texture;
   if (!(texture.level > 0.0)) return tissue.echoLevel;
   const glm::dvec3 grain(place_mm.x, texture.followsTheSkin ? skin_mm : place_mm.y, place_mm.z);
   const std::uint64_t seed = 1 + kScattererTextureSeed * (number + 1);
-  const double finer = fine(~seed, grain / (kFineGrain * texture.scale_mm));
-  return tissue.echoLevel + texture.level * (coarse(seed, grain / texture.scale_mm) + kFineStrength * finer * std::abs(finer));
-}
-
-}  // namespace
-
-double tissueLevelAt(const Tissue& tissue, std::size_t number, const glm::dvec3& place_mm, double skin_mm) {
-  return texturedLevel(tissue, number, place_mm, skin_mm, valueNoise, valueNoise);
-}
-
-double TextureAlong::levelAt(const Tissue& tissue, std::size_t number, const glm::dvec3& place_mm, double skin_mm) {
-  Noises& noises = ofTissue_[number];
-  return texturedLevel(
-      tissue, number, place_mm, skin_mm, [&](std::uint64_t seed, const glm::dvec3& at) { return noises.coarse.at(seed, at); },
-      [&](std::uint64_t seed, const glm::dvec3& at) { return noises.fine.at(seed, at); });
+  const double fine = valueNoise(~seed, grain / (kFineGrain * texture.scale_mm));
+  return tissue.echoLevel + texture.level * (valueNoise(seed, grain / texture.scale_mm) + kFineStrength * fine * std::abs(fine));
 }
 
 double mirroredBetween(double inside_mrayl, double outside_mrayl) {

@@ -2,10 +2,8 @@
 
 #include <array>
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "ew/phantom/patient.h"
-#include "ew/phantom/speckle.h"
 
 namespace ew::phantom {
 
@@ -20,22 +18,6 @@ namespace ew::phantom {
 [[nodiscard]] double tissueLevelAt(const Patient& patient, std::size_t number, const glm::dvec3& place_mm);
 /// The same where the depth of the place is known.
 [[nodiscard]] double tissueLevelAt(const Tissue& tissue, std::size_t number, const glm::dvec3& place_mm, double skin_mm);
-
-/// The textures of tissues at places one after another.
-class TextureAlong {
- public:
-  explicit TextureAlong(std::size_t tissues) : ofTissue_(tissues) {}
-  /// As tissueLevelAt, to the last bit.
-  [[nodiscard]] double levelAt(const Tissue& tissue, std::size_t number, const glm::dvec3& place_mm, double skin_mm);
-  /// The noise of the coarse grains alone, of some seed.
-  [[nodiscard]] NoiseAlong& coarseOf(std::size_t number) { return ofTissue_[number].coarse; }
-
- private:
-  struct Noises {
-    NoiseAlong coarse, fine;
-  };
-  std::vector<Noises> ofTissue_;
-};
 
 /// Amplitude of what a smooth surface between two impedances mirrors; 0 where they hardly differ.
 [[nodiscard]] double mirroredBetween(double inside_mrayl, double outside_mrayl);

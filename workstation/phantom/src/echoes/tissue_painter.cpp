@@ -70,16 +70,16 @@ TissuePainter::TissuePainter(const Patient& patient, double spacing_mm)
     : patient_(patient), spacing_mm_(spacing_mm), surfaces_(patient, kWithinVoxel * spacing_mm) {}
 
 std::uint8_t TissuePainter::levelAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
-                                    const std::vector<double>& distances_mm, TextureAlong& textures) const {
+                                    const std::vector<double>& distances_mm) const {
   double remaining = bodyPart(skin_mm), power = 0.0;
   if (const std::optional<std::size_t> only = onlyTissue(remaining, near, distances_mm)) {
     const Tissue& tissue = patient_.tissues[*only];
     if (!(tissue.speckle > 0.0)) return 0;
-    return static_cast<std::uint8_t>(std::clamp(textures.levelAt(tissue, *only, p_mm, skin_mm) + 0.5, 0.0, 255.0));
+    return static_cast<std::uint8_t>(std::clamp(tissueLevelAt(tissue, *only, p_mm, skin_mm) + 0.5, 0.0, 255.0));
   }
   const auto add = [&](std::size_t number, double weight) {
     const Tissue& tissue = patient_.tissues[number];
-    if (tissue.speckle > 0.0) power += weight * power_.of(textures.levelAt(tissue, number, p_mm, skin_mm));
+    if (tissue.speckle > 0.0) power += weight * power_.of(tissueLevelAt(tissue, number, p_mm, skin_mm));
   };
   for (std::size_t n = 0; n < distances_mm.size() && remaining >= kNothingLeft; ++n) {
     const double part = partInside(distances_mm[n], spacing_mm_);

@@ -61,9 +61,8 @@ class TissuePainter {
 
   /// Mean level of a voxel; what it shares with another tissue or with the air adds up as power.
   /// @param near, distances_mm as OrganFinder has them
-  /// @param textures of all tissues, kept from voxel to voxel
   [[nodiscard]] std::uint8_t levelAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
-                                     const std::vector<double>& distances_mm, TextureAlong& textures) const;
+                                     const std::vector<double>& distances_mm) const;
   [[nodiscard]] const SurfaceFinder& surfaces() const { return surfaces_; }
 
  private:

@@ -105,7 +105,7 @@ class PartPainter {
 
   /// @param feet of surfaces beside the block's voxels are appended
   template <class Stopped>
-  void paint(const glm::ivec3& first, const Stopped& stopped, phantom::TextureAlong& textures, std::vector<phantom::SurfaceFoot>& feet) {
+  void paint(const glm::ivec3& first, const Stopped& stopped, std::vector<phantom::SurfaceFoot>& feet) {
     const glm::ivec3 last = glm::min(first + kInnerBlock, grid_.dims);
     const glm::dvec3 centre_mm = phantom::blockCentre_mm(grid_, first, kInnerBlock);
     if (finder_.isOutside(centre_mm, kInnerBlock, true)) return;
@@ -120,7 +120,7 @@ class PartPainter {
           if (skin_mm >= 0.0 && !(painter_.bodyPart(skin_mm) > 0.0)) continue;
           const int label = finder_.distancesAt(p_mm, near, distances_mm);
           const std::size_t at = grid_.indexOf(i, j, k);
-          made_.maps->level[at] = painter_.levelAt(p_mm, skin_mm, near, distances_mm, textures);
+          made_.maps->level[at] = painter_.levelAt(p_mm, skin_mm, near, distances_mm);
           if (skin_mm < 0.0) made_.labels[at] = static_cast<std::uint8_t>(label);
           if (auto foot = painter_.surfaces().nearest(p_mm, skin_mm, near, distances_mm)) {
             foot->voxel = {i, j, k};
@@ -146,9 +146,7 @@ bool paintBlocks(const Patient& patient, const std::vector<glm::ivec3>& blocks, 
   std::vector<std::vector<phantom::SurfaceFoot>> feet(static_cast<std::size_t>(tasks));
   const auto paintTask = [&](int task, int /*worker*/, const auto& stopped) {
     const auto first = static_cast<std::size_t>(task) * kBlocksOfTask, last = std::min(first + kBlocksOfTask, blocks.size());
-    phantom::TextureAlong textures(patient.tissues.size());
-    for (std::size_t n = first; n < last && !stopped(); ++n)
-      painter.paint(blocks[n], stopped, textures, feet[static_cast<std::size_t>(task)]);
+    for (std::size_t n = first; n < last && !stopped(); ++n) painter.paint(blocks[n], stopped, feet[static_cast<std::size_t>(task)]);
   };
   if (!forEachTask(tasks, threads, painting, say<"Building what the image shows">(), paintTask)) return false;
   std::vector<std::vector<phantom::SurfaceFoot>> all(1);

@@ -43,7 +43,7 @@ class Painter {
 
   /// @param near, distances_mm as OrganFinder has them
   [[nodiscard]] Look lookAt(const glm::dvec3& p_mm, double skin_mm, const std::vector<const Organ*>& near,
-                            const std::vector<double>& distances_mm, phantom::TextureAlong& textures) const {
+                            const std::vector<double>& distances_mm) const {
     Look look;
     double remaining = 1.0;
     for (std::size_t n = 0; n < distances_mm.size(); ++n) {
@@ -51,11 +51,11 @@ class Painter {
       if (organ.border) addBorder(organ, p_mm, distances_mm[n], remaining, look);
       const double part = phantom::partInside(distances_mm[n], options_.spacing_mm);
       if (part <= 0.0) continue;
-      addTissue(patient_.tissues[organ.tissue], organ.tissue, p_mm, skin_mm, remaining * part, textures, look);
+      addTissue(patient_.tissues[organ.tissue], organ.tissue, p_mm, skin_mm, remaining * part, look);
       remaining *= 1.0 - part;
       if (remaining < phantom::kNothingLeft) return look;
     }
-    addTissue(patient_.tissues[patient_.backgroundTissue], patient_.backgroundTissue, p_mm, skin_mm, remaining, textures, look);
+    addTissue(patient_.tissues[patient_.backgroundTissue], patient_.backgroundTissue, p_mm, skin_mm, remaining, look);
     return look;
   }
 
@@ -71,13 +71,11 @@ class Painter {
   }
 
  private:
-  void addTissue(const Tissue& tissue, std::size_t number, const glm::dvec3& p_mm, double skin_mm, double weight,
-                 phantom::TextureAlong& textures, Look& look) const {
+  void addTissue(const Tissue& tissue, std::size_t number, const glm::dvec3& p_mm, double skin_mm, double weight, Look& look) const {
     double level = tissue.echoLevel;
     if (tissue.texture.level > 0.0) {
       const glm::dvec3 place(p_mm.x, tissue.texture.followsTheSkin ? skin_mm : p_mm.y, p_mm.z);
-      level +=
-          tissue.texture.level * textures.coarseOf(number).at(options_.seed + kTextureSeed * (number + 1), place / tissue.texture.scale_mm);
+      level += tissue.texture.level * valueNoise(options_.seed + kTextureSeed * (number + 1), place / tissue.texture.scale_mm);
     }
     look.level += weight * level;
     look.speckle += weight * tissue.speckle;
@@ -161,7 +159,6 @@ class VolumePainter {
   struct Around {
     std::vector<const Organ*> near{};
     std::vector<double> distances_mm{};
-    phantom::TextureAlong textures;
     std::vector<phantom::SurfaceFoot> feet{};  ///< of the piece
   };
   void paintBlock(const glm::ivec3& first, const Strip& strip, Around& around);
@@ -249,7 +246,7 @@ std::vector<int> VolumePainter::missingPieces() {
 
 void VolumePainter::paintPiece(int piece) {
   Strip strip = stripOf(piece);
-  Around around{.textures = phantom::TextureAlong(patient_.tissues.size())};
+  Around around;
   try {
     SpeckleScratch scratch;
     specklePower(options_.seed, strip.first, strip.size, scratch, strip.power);
@@ -291,7 +288,7 @@ void VolumePainter::paintRow(int begin, int end, int j, int k, const float* spec
     if (made_.maps) map({i, j, k}, p, skin, around);
     if (skin >= 0.0) continue;
     const std::size_t at = grid_.indexOf(i, j, k);
-    const Look look = painter_.lookAt(p, skin, around.near, around.distances_mm, around.textures);
+    const Look look = painter_.lookAt(p, skin, around.near, around.distances_mm);
     made_.volume.echo[at] = painter_.greyOf(look, static_cast<double>(decibel_.of(*speckle)), p);
     made_.volume.coverage[at] = static_cast<std::uint8_t>(Coverage::measured);
     made_.labels[at] = static_cast<std::uint8_t>(label);
@@ -299,8 +296,7 @@ void VolumePainter::paintRow(int begin, int end, int j, int k, const float* spec
 }
 
 void VolumePainter::map(const glm::ivec3& voxel, const glm::dvec3& p_mm, double skin_mm, Around& around) {
-  made_.maps->level[grid_.indexOf(voxel.x, voxel.y, voxel.z)] =
-      maps_.levelAt(p_mm, skin_mm, around.near, around.distances_mm, around.textures);
+  made_.maps->level[grid_.indexOf(voxel.x, voxel.y, voxel.z)] = maps_.levelAt(p_mm, skin_mm, around.near, around.distances_mm);
   auto foot = maps_.surfaces().nearest(p_mm, skin_mm, around.near, around.distances_mm);
   if (!foot) return;
   foot->voxel = voxel;

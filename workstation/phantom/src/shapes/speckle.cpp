@@ -21,52 +21,20 @@ std::int64_t floorOf(double value) {
 
 }  // namespace
 
-namespace {
-
-/// Where a place lies in its cell of the lattice.
-struct InCell {
-  std::array<std::int64_t, 3> cell;
-  glm::dvec3 ease;
-  explicit InCell(const glm::dvec3& at) : cell{floorOf(at.x), floorOf(at.y), floorOf(at.z)} {
-    const glm::dvec3 t = at - glm::dvec3(cell[0], cell[1], cell[2]);
-    ease = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-  }
-};
-
-std::array<double, 8> cornersOf(std::uint64_t seed, const std::array<std::int64_t, 3>& cell) {
-  const std::uint64_t place = sumOfPlace(seed, cell[0], cell[1], cell[2]);
-  std::array<double, 8> corners;
-  for (std::size_t n = 0; n < corners.size(); ++n) {
-    const std::uint64_t sum = place + (n & 1) * kStepsOfPlace[0] + ((n >> 1) & 1) * kStepsOfPlace[1] + ((n >> 2) & 1) * kStepsOfPlace[2];
-    corners[n] = static_cast<double>(hashOfSum(sum) >> 40) * (2.0 / 16777215.0) - 1.0;
-  }
-  return corners;
-}
-
-double between(const std::array<double, 8>& corners, const glm::dvec3& ease) {
-  const auto along = [&](std::size_t first) { return corners[first] + ease.x * (corners[first + 1] - corners[first]); };
-  const double nearFrom = along(0), farFrom = along(4);
-  const double nearer = nearFrom + ease.y * (along(2) - nearFrom);
-  const double farther = farFrom + ease.y * (along(6) - farFrom);
-  return nearer + ease.z * (farther - nearer);
-}
-
-}  // namespace
-
 double valueNoise(std::uint64_t seed, const glm::dvec3& at) {
-  const InCell in(at);
-  return between(cornersOf(seed, in.cell), in.ease);
-}
-
-double NoiseAlong::at(std::uint64_t seed, const glm::dvec3& at) {
-  const InCell in(at);
-  if (!isKnown_ || seed_ != seed || cell_ != in.cell) {
-    corners_ = cornersOf(seed, in.cell);
-    seed_ = seed;
-    cell_ = in.cell;
-    isKnown_ = true;
-  }
-  return between(corners_, in.ease);
+  const std::int64_t i = floorOf(at.x), j = floorOf(at.y), k = floorOf(at.z);
+  const glm::dvec3 t = at - glm::dvec3(i, j, k);
+  const glm::dvec3 ease = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+  const std::uint64_t place = sumOfPlace(seed, i, j, k);
+  const auto valueAt = [](std::uint64_t sum) { return static_cast<double>(hashOfSum(sum) >> 40) * (2.0 / 16777215.0) - 1.0; };
+  const auto along = [&](std::uint64_t sum) {
+    const double from = valueAt(sum);
+    return from + ease.x * (valueAt(sum + kStepsOfPlace[0]) - from);
+  };
+  const double nearFrom = along(place), farFrom = along(place + kStepsOfPlace[2]);
+  const double nearer = nearFrom + ease.y * (along(place + kStepsOfPlace[1]) - nearFrom);
+  const double farther = farFrom + ease.y * (along(place + kStepsOfPlace[1] + kStepsOfPlace[2]) - farFrom);
+  return nearer + ease.z * (farther - nearer);
 }
 
 void specklePower(std::uint64_t seed, const glm::ivec3& first, const glm::ivec3& size, SpeckleScratch& scratch, std::vector<float>& power) {

@@ -239,9 +239,9 @@ void accumulateAll(const RowPair* pairs, int rowCount, int count, const RowSums&
     if constexpr (withProducts) column = Column{};
     for (int n = 0; n < rowCount; ++n) accumulate<withProducts>(pairs[n], i, total, column);
     if constexpr (withProducts) {
-      for (std::ptrdiff_t q = 0; q < 3 * kProducts; ++q)
+      for (std::ptrdiff_t q = 0; q < std::ptrdiff_t{3} * kProducts; ++q)
         hn::StoreU(hn::Load(d, column.products[q]), d, rows.products + q * rows.stride + i);
-      for (std::ptrdiff_t q = 0; q < 2 * 4; ++q) hn::StoreU(hn::Load(d, column.right[q]), d, rows.right + q * rows.stride + i);
+      for (std::ptrdiff_t q = 0; q < 8; ++q) hn::StoreU(hn::Load(d, column.right[q]), d, rows.right + q * rows.stride + i);
     }
   }
   for (std::size_t s = 0; s < kSums; ++s) sums[s] += hn::GetLane(hn::SumOfLanes(d, total[s]));

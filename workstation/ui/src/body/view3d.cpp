@@ -255,8 +255,8 @@ void View3D::setMannequin(std::shared_ptr<const bridge::Mannequin> mannequin) {
 }
 
 std::shared_ptr<const Skin> View3D::skin() const {
-  const auto mannequin = scene().mannequin();
-  return mannequin != nullptr ? mannequin->skin : parts_->bareSkin;
+  if (const auto mannequin = scene().mannequin()) return mannequin->skin;
+  return parts_->bareSkin;
 }
 
 void View3D::setCoverage(std::vector<float> shares) {

@@ -26,19 +26,6 @@ inline constexpr std::array<std::uint64_t, 3> kStepsOfPlace{0xD1B54A32D192ED03ul
 /// Smooth noise in [-1, 1]: random values on the integer lattice, joined without kinks.
 [[nodiscard]] double valueNoise(std::uint64_t seed, const glm::dvec3& at);
 
-/// valueNoise of places one after another: neighbours share a cell of the lattice, whose values are hashed once.
-class NoiseAlong {
- public:
-  /// valueNoise(seed, at), to the last bit.
-  [[nodiscard]] double at(std::uint64_t seed, const glm::dvec3& at);
-
- private:
-  std::uint64_t seed_ = 0;
-  std::array<std::int64_t, 3> cell_{};
-  bool isKnown_ = false;
-  std::array<double, 8> corners_{};  ///< x fastest
-};
-
 /// Memory of specklePower between calls.
 struct SpeckleScratch {
   std::vector<std::int32_t> row, plane, stack;
