@@ -137,24 +137,13 @@ class SeptaBelow final : public Shape {
   double distance_mm(const glm::dvec3& p_mm) const override {
     const double skin = below_->distance_mm(p_mm);
     const double layer = std::max(skin + septa_.fromDepth_mm, -skin - septa_.toDepth_mm);
-    return withWalls(p_mm, skin, layer);
-  }
-  double distanceUpTo_mm(const glm::dvec3& p_mm, double most_mm) const override {
-    if (const double atLeast = atLeast_mm(p_mm); atLeast > 0.0 && atLeast >= most_mm) return atLeast;
-    const double skin = below_->distance_mm(p_mm);
-    const double layer = std::max(skin + septa_.fromDepth_mm, -skin - septa_.toDepth_mm);
-    // Walls end with their layer: where that is too far away, none is asked for.
-    return layer >= most_mm ? layer : withWalls(p_mm, skin, layer);
+    if (layer > 1.0) return layer;
+    return std::max(layer, std::abs(wall_mm(unrolled(p_mm, skin))) - 0.5 * septa_.thickness_mm);
   }
   double sheetThickness_mm() const override { return septa_.thickness_mm; }
   double middle_mm(const glm::dvec3& p_mm) const override { return wall_mm(unrolled(p_mm, below_->distance_mm(p_mm))); }
 
  private:
-  /// @param layer signed distance to the layer that holds the walls; beyond a millimetre it stands for both
-  [[nodiscard]] double withWalls(const glm::dvec3& p_mm, double skin, double layer) const {
-    if (layer > 1.0) return layer;
-    return std::max(layer, std::abs(wall_mm(unrolled(p_mm, skin))) - 0.5 * septa_.thickness_mm);
-  }
   [[nodiscard]] static glm::dvec3 unrolled(const glm::dvec3& p_mm, double skin_mm) {
     return {kAround_mm * std::atan2(p_mm.x, -p_mm.y), -skin_mm, p_mm.z};
   }
@@ -186,11 +175,7 @@ class SeptaBelow final : public Shape {
       const glm::dvec3 across = centres[n] - centres[own];
       const double beyond = std::max(0.0, glm::dot(0.5 * (centres[n] + centres[own]) - q, across));
       const glm::dvec3 slope = across * scale;
-      // Most are farther away, which needs no division; nearly as near, the quotient decides.
-      constexpr double kRounded = 1.0 + 1e-12;
-      const double beyond2 = beyond * beyond, slope2 = glm::dot(slope, slope);
-      if (beyond2 > kRounded * wall2 * slope2) continue;
-      const double here2 = beyond2 / slope2;
+      const double here2 = beyond * beyond / glm::dot(slope, slope);
       if (here2 >= wall2) continue;
       wall2 = here2;
       isFirst = own < n;
