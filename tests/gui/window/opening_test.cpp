@@ -5,6 +5,7 @@
 
 #include "ew/core/responsive_thread.h"
 #include "ew/library/case.h"
+#include "ew/ui_test_door/body.h"
 #include "ew/ui_test_door/import.h"
 #include "ew/ui_test_door/start.h"
 #include "gui/support/cases_fixture.h"
@@ -28,6 +29,22 @@ class OpeningTest : public CasesFixture {
     window_.reset();
     QVERIFY(!isResponsiveThread());
     QVERIFY(loadCase(folder_.toStdString()).has_value());
+  }
+
+  void aCasesOwnBodyStaysWhenItComesBeforeTheUsualOne() {
+    auto manifest = nlohmann::json::parse(textOf(folder_ + QStringLiteral("/case.json")));
+    manifest["mannequin"] = "ball.json";  // which takes no time, in place of a second
+    test::writeText((folder_ + QStringLiteral("/case.json")).toStdString(), manifest.dump());
+    test::writeText((folder_ + QStringLiteral("/ball.json")).toStdString(),
+                    R"({"format": 1, "name": "ball", "body": {"ellipsoid": {"centre_mm": [0, 0, 0], "radii_mm": [80, 80, 80]}}})");
+    window_ = std::make_unique<MainWindow>();
+    window_->show();
+    QVERIFY(openCase(folder_));
+    QVERIFY2(!window_->messages().isError(), qPrintable(window_->messages().text()));
+    QVERIFY(waitUntil([this] { return !window_->jobs().isRunning(); }));
+    const glm::dvec3 skin_mm = window_->view3d().skin()->nearest({0.0, -100.0, 0.0}).point_mm;
+    QVERIFY2(glm::distance(skin_mm, glm::dvec3(0.0, -80.0, 0.0)) < 1.0, qPrintable(QString::number(skin_mm.y)));
+    QVERIFY(glm::distance(session().probeControl().hold().contact.point_mm, glm::dvec3(0.0)) < 81.0);
   }
 
   void whatGaveWayComesBackWhenWhatWasChosenInItsPlaceIsRefused() {

@@ -169,14 +169,12 @@ void Opener::loadDefaultMannequin() {
         *loaded = std::move(*read);
         return {};
       },
-      [this, loaded](const Result<void>& outcome) {
+      [this, loaded, file = *file](const Result<void>& outcome) {
         --busy_;
-        if (!outcome) {
-          mannequinFile_.clear();
-          if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
-          return;
-        }
-        showMannequin(*loaded);
+        if (mannequinFile_ != file) return;  // a case came first, with a body of its own
+        if (outcome) return showMannequin(*loaded);
+        mannequinFile_.clear();
+        if (outcome.error().code != ErrorCode::cancelled) messages_.showError(outcome.error());
       });
 }
 
