@@ -182,7 +182,7 @@ TEST(Bands, SeveralOwnersMayMakeFramesAtTheSameTime) {
 
 TEST(Bands, StayReadyOnceForFramesWithinFrames) {
   Bands bands(2);
-  int steps = 0;
+  std::atomic<int> steps = 0;
   bands.together([&] {
     bands.together([&] { bands.runEach(2, [&](int item, int) { steps += item == 0 ? 1 : 0; }); });
     bands.runEach(2, [&](int item, int) { steps += item == 0 ? 1 : 0; });
