@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -49,6 +50,11 @@ class CalipersTest : public WindowFixture {
     return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
   }
   void click(const glm::dvec2& at_mm) const { QTest::mouseClick(&layer(), Qt::LeftButton, Qt::NoModifier, pixelOf(at_mm)); }
+  /// With the button held, at once: a pointer that is moved on the screen comes when the screen has time.
+  void dragTo(const glm::dvec2& at_mm) const {
+    QMouseEvent move(QEvent::MouseMove, pixelOf(at_mm), layer().mapToGlobal(pixelOf(at_mm)), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&layer(), &move);
+  }
   void take(Qt::Key key) const {
     QApplication::setActiveWindow(window_.get());
     window_->scanView().setFocus();
@@ -227,7 +233,7 @@ class CalipersTest : public WindowFixture {
     click({-20.0, 60.0});
     click({20.0, 60.0});
     QTest::mousePress(&layer(), Qt::LeftButton, Qt::NoModifier, pixelOf(pointsOf(0)[1]));
-    for (const double x : {22.0, 25.0, 30.0}) QTest::mouseMove(&layer(), pixelOf({x, 60.0}));
+    for (const double x : {22.0, 25.0, 30.0}) dragTo({x, 60.0});
     QTest::mouseRelease(&layer(), Qt::LeftButton, Qt::NoModifier, pixelOf({30.0, 60.0}));
     QVERIFY(std::abs(value(FigureKind::length) - 50.0) <= pixel_mm());
     pressKey(Qt::Key_Z, Qt::ControlModifier);

@@ -242,7 +242,7 @@ class RecordingTest : public WindowFixture {
       if (closes) {
         QVERIFY(!window_->close());
       } else {
-        QVERIFY(waitUntil([this] { return window_->isActiveWindow(); }));  // keys go nowhere before, and the question before took it away
+        QApplication::setActiveWindow(window_.get());  // the test screen has no window manager that gives it back after a question
         toggleRecording();
       }
       QVERIFY2(stay.asked == QStringList{QStringLiteral("unsavedRecordingQuestion")}, closes ? "when closing" : "when beginning another");
