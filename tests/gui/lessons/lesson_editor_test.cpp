@@ -73,8 +73,8 @@ class LessonEditorTest : public WindowFixture {
     return nullptr;
   }
   void press(const char* name) {
-    auto* button = seen<QAbstractButton>(QLatin1String(name));
-    QVERIFY2(button, name);
+    QAbstractButton* button = nullptr;
+    QVERIFY2(waitUntil([&] { return (button = seen<QAbstractButton>(QLatin1String(name))) != nullptr; }), name);
     QVERIFY2(button->isEnabled(), name);
     button->click();
     QCoreApplication::processEvents();
