@@ -91,6 +91,15 @@ endfunction()
 # each copy of core.
 set(EW_EXPORT_THREAD_MARK "LINKER:--export-dynamic-symbol=ewResponsiveMarks")
 
+# ew_link_test(TARGET): without lines for a debugger, which are three quarters of a test program and of the 17 GiB that a whole build would
+# take; functions keep their names. Sanitizers get them, for their reports.
+option(EW_TEST_LINES "Keep lines for a debugger in the test programs" OFF)
+function(ew_link_test target)
+  if(NOT EW_TEST_LINES AND NOT EW_SANITIZE AND CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF")
+    target_link_options(${target} PRIVATE LINKER:--strip-debug)
+  endif()
+endfunction()
+
 # ew_add_test(NAME SOURCES ... LINK ... [LABELS ...] [TIMEOUT s]): a GoogleTest program tests/ run by ctest, one entry per TEST.
 # TIMEOUT guards against hanging alone: it is at least ten times what a test takes on a machine that does nothing else.
 function(ew_add_test name)
@@ -108,6 +117,7 @@ function(ew_add_test name)
   add_executable(test_${name} ${arg_SOURCES})
   ew_join_sources(test_${name} APART ${arg_APART})
   ew_group_test(test_${name})
+  ew_link_test(test_${name})
   target_link_libraries(test_${name} PRIVATE ${arg_LINK} ew_test_places GTest::gtest GTest::gtest_main rapidcheck ew::warnings ew::sanitizers)
   target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   ew_compile_quickly(test_${name})
@@ -138,6 +148,7 @@ function(ew_add_gui_test name)
   endif()
   add_executable(test_gui_${name} ${arg_SOURCES})
   set_target_properties(test_gui_${name} PROPERTIES AUTOMOC ON)
+  ew_link_test(test_gui_${name})
   target_link_libraries(test_gui_${name} PRIVATE ${arg_LINK} ew_test_places Qt5::Test Qt5::Widgets ew::warnings ew::sanitizers)
   target_include_directories(test_gui_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_compile_definitions(test_gui_${name} PRIVATE QT_NO_KEYWORDS)
