@@ -15,9 +15,9 @@
 
 #include "chain/pair_match.h"
 #include "counted_stop.h"
+#include "ew/core/memory_watch.h"
 #include "ew/io/step_store.h"
 #include "stitching/chain_world.h"
-#include "stitching/memory_watch.h"
 
 namespace ew::stitching::chain_test {
 namespace {
@@ -491,7 +491,7 @@ TEST(Chain, TakesNoMoreInAnyStepThanItsForecast) {
   ChainOptions options;
   options.threads = 2;
   options.keepVolumes = false;
-  test::MemoryWatch memory;
+  MemoryWatch memory;
   if (!memory.isKnown()) GTEST_SKIP() << "nobody says here what a process takes";
   double held_mib = 0.0;  // the inputs alone
   options.onStep = [&](const StepOutcome& step) {

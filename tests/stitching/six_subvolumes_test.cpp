@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "ew/core/memory_watch.h"
 #include "ew/io/image_file.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
@@ -20,7 +21,6 @@
 #include "library/temporary_folder.h"
 #include "places.h"
 #include "six_subvolumes/recordings.h"
-#include "stitching/memory_watch.h"
 
 namespace ew::stitching::six_subvolumes_test {
 namespace {
@@ -305,7 +305,7 @@ void runAndJudge(const Asked& asked) {
   options.threads = 2;
 
   options.keepVolumes = false;
-  test::MemoryWatch memory;
+  MemoryWatch memory;
   double forecast_mib = 0.0, peak_mib = 0.0;
   double wall_s = 0.0, processor_s = processorSeconds();
   const double begun_s = processor_s;

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "ew/core/elapsed.h"
-#include "ew/core/numbers.h"
+#include "ew/core/memory_watch.h"
 #include "ew/core/simd.h"
 #include "ew/core/version.h"
 
@@ -28,19 +27,6 @@ nlohmann::ordered_json stepRow(const std::string& name, std::vector<double> dura
   const StepSummary summary = summarise(std::move(durations_us));
   return {
       {"name", name}, {"count", summary.count}, {"median_us", summary.median_us}, {"p99_us", summary.p99_us}, {"max_us", summary.max_us}};
-}
-
-double peakMemory_mib() {
-  // getrusage's figure survives exec, so a large parent would be reported as ours; the high water mark of the address space is not.
-  std::ifstream status("/proc/self/status");
-  std::string line;
-  while (std::getline(status, line)) {
-    if (!line.starts_with("VmHWM:")) continue;
-    const auto unit = line.find("kB");
-    const auto value = parseNumber(std::string_view(line).substr(6, unit == std::string::npos ? std::string::npos : unit - 6));
-    if (value) return *value / 1024.0;
-  }
-  return 0.0;
 }
 
 void Report::addStep(const std::string& name, double duration_us) {

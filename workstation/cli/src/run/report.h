@@ -21,9 +21,6 @@ struct StepSummary {
 /// A row of "steps": {"name", "count", "median_us", "p99_us", "max_us"}.
 [[nodiscard]] nlohmann::ordered_json stepRow(const std::string& name, std::vector<double> durations_us);
 
-/// Peak resident memory of this process so far, MiB; 0 where the system does not tell.
-[[nodiscard]] double peakMemory_mib();
-
 /// What `--report` writes: the contract of the command line.
 class Report {
  public:

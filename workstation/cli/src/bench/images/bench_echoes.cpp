@@ -12,6 +12,7 @@
 #include "bench/images/echo_measures.h"
 #include "bench/images/echo_subject.h"
 #include "bench/tools/bench_parts.h"
+#include "ew/core/memory_watch.h"
 #include "ew/core/numbers.h"
 #include "ew/scanning/scanner.h"
 #include "run/report.h"
@@ -68,6 +69,7 @@ struct Compared {
   std::vector<double> level_db, shadow_db;
   std::array<std::vector<double>, kEchoBands> band_db;
   std::array<std::vector<double>, 2> time_ms;  ///< of whole frames, on one thread and on two
+  json held_mib;  ///< by the scanner on two threads after its frames: its tables, and what it keeps between frames
 };
 
 std::vector<double> absolute(std::vector<double> values) {
@@ -83,6 +85,8 @@ class CaseBench {
   [[nodiscard]] Result<void> time(Progress& progress);
   [[nodiscard]] std::vector<json> rows() const;
   void addSteps(json& steps) const;
+
+  json case_mib;  ///< what reading the case took and keeps
 
  private:
   [[nodiscard]] Result<void> prepare();
@@ -102,6 +106,7 @@ class CaseBench {
   Figures model_;
   std::array<Compared, kQualities.size()> compared_;
   std::vector<double> floor_db_, forward_ms_;
+  json forward_mib_;
   int openPatches_ = 0, evenPatches_ = 0;
 };
 
@@ -112,9 +117,11 @@ Result<void> CaseBench::prepare() {
     return std::make_unique<ForwardEngine>(std::move(*made));
   };
   for (auto& [kept, loses, seed] : {std::tuple{&forward_, true, 1U}, std::tuple{&other_, true, 2U}, std::tuple{&still_, false, 1U}}) {
+    const MemoryWatch memory;
     auto made = engine(loses, seed);
     if (!made) return passOn(made.error());
     *kept = std::move(*made);
+    if (kept == &forward_) forward_mib_ = heldOf(memory);
   }
   truth_ = std::make_unique<EchoTruth>(subject_.truth());
   const VirtualScanner& scanner = forward_->scanner();
@@ -229,6 +236,7 @@ Result<void> CaseBench::time(Progress& progress) {
   for (std::size_t threads = 1; threads <= 2; ++threads)
     for (std::size_t q = 0; q < kQualities.size(); ++q, ++part) {
       progress.report(say<"Timing frames of live echoes">(), part / 6.0);
+      const MemoryWatch memory;
       Scanner scanner(static_cast<int>(threads));
       scanner.show(subject_.subject);
       ScanState state;
@@ -244,6 +252,7 @@ Result<void> CaseBench::time(Progress& progress) {
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
         if (n >= 0) compared_[q].time_ms[threads - 1].push_back(took.count());
       }
+      compared_[q].held_mib = heldOf(memory);
     }
   return {};
 }
@@ -316,6 +325,9 @@ json CaseBench::rowOf(std::size_t quality) const {
     row[std::string(name) + "_p99_ms"] = shareOf(*times, 0.99);
   }
   row["forward_ms"] = shareOf(forward_ms_, 0.5);
+  row["case_mib"] = case_mib;
+  row["held_mib"] = compared.held_mib;
+  row["forward_mib"] = forward_mib_;
   row["median_us"] = 1e3 * shareOf(two, 0.5);
   return row;
 }
@@ -388,9 +400,11 @@ Result<json> benchEchoes(const EchoBenchOptions& options, Progress& progress) {
     const double begin = share * static_cast<double>(n);
     PartOfProgress reading(progress, begin, begin + 0.3 * share), timing(progress, begin + 0.3 * share, begin + 0.5 * share),
         comparing(progress, begin + 0.5 * share, begin + share);
+    const MemoryWatch memory;
     auto subject = readEchoSubject(options.cases[n], reading);
     if (!subject) return passOn(subject.error());
     CaseBench bench(*subject, options);
+    bench.case_mib = heldOf(memory);
     if (auto done = bench.time(timing); !done) return passOn(done.error());
     if (auto done = bench.compare(comparing); !done) return passOn(done.error());
     for (json& row : bench.rows()) report["results"].push_back(std::move(row));

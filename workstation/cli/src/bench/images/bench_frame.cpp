@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "bench/tools/bench_parts.h"
+#include "ew/core/memory_watch.h"
 #include "ew/imaging/beam_grid.h"
 #include "ew/imaging/effect_info.h"
 #include "ew/imaging/effects/focus.h"
@@ -42,6 +43,7 @@ struct FrameSetting {
   Scene scene;
   std::function<const std::uint8_t*(const Pose&)> frame;
   std::shared_ptr<Scanner> scanner;  ///< null: a peer, or bare beams
+  json held_mib;                     ///< by the scanner after its first frame
 
   std::vector<double> cpu_us;  ///< mean of each repetition
   std::vector<double> wall_us;
@@ -147,6 +149,7 @@ void addFrames(std::vector<FrameSetting>& settings, const World& world, FrameSet
   }
   ScanState state{.probe = world.probe, .knobs = setting.knobs, .pan = {}, .scene = setting.scene, .pose = {}};
   if (withGaps) state.gaps_mm = world.gaps_mm;
+  const MemoryWatch memory;
   setting.scanner = std::make_shared<Scanner>(setting.threads);
   setting.scanner->show(std::move(subject));
   const glm::ivec2 size_px(world.options.width_px, world.options.height_px);
@@ -156,6 +159,8 @@ void addFrames(std::vector<FrameSetting>& settings, const World& world, FrameSet
     state.time_s = static_cast<double>(++state.number) / 30.0;
     return static_cast<const std::uint8_t*>(scanner->make(state, size_px.x, size_px.y).grey.row(0));
   };
+  setting.frame(world.poses.front());
+  setting.held_mib = heldOf(memory);
   settings.push_back(std::move(setting));
 }
 
@@ -468,6 +473,7 @@ void addToReport(const std::vector<FrameSetting>& settings, const World& world, 
       std::ostringstream plan;
       plan << setting.scanner->plan();
       row["plan"] = plan.str();
+      row["held_mib"] = setting.held_mib;
     }
     if (peer_us > 0.0) row["of_peer"] = time_us / peer_us;
     if (setting.exact != Exact::none) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "bench/images/bench_frame.h"
+#include "bench/tools/bench_parts.h"
 
 namespace ew {
 namespace {
@@ -45,8 +46,9 @@ std::vector<BenchSection> frameSections(const json& report) {
     times.text =
         "Probe " + report["probe"].get<std::string>() +
         ", one thread. Each bar is a whole frame with the effect named and no other; the last ones have everything on. VTK makes a "
-        "bare slice of the same plane and as many pixels, without a fan and without any effect.";
-    times.table = {1, {"Setting", "Threads", "Median, ms", "Of VTK's linear slice"}, {}};
+        "bare slice of the same plane and as many pixels, without a fan and without any effect. Memory is what such frames keep beyond the "
+        "voxels: the image, tables, and what one frame leaves for the next.";
+    times.table = {1, {"Setting", "Threads", "Median, ms", "Of VTK's linear slice", "Memory, MiB"}, {}};
     for (const auto& row : report["results"]) {
       if (row["volume_side"] != side) continue;
       const std::string method = row["method"].get<std::string>();
@@ -55,7 +57,7 @@ std::vector<BenchSection> frameSections(const json& report) {
       if (method == "VTK linear") peer_ms = ms;
       if (method != "VTK cubic" && row["threads"] == 1) times.bars.push_back({method, ms, peer ? BenchMark::peer : BenchMark::own});
       times.table.rows.push_back({method, std::to_string(row["threads"].get<int>()), fixedText(ms, 3),
-                                  row.contains("of_peer") ? fixedText(row["of_peer"].get<double>(), 3) : ""});
+                                  row.contains("of_peer") ? fixedText(row["of_peer"].get<double>(), 3) : "", memoryIn(row, "held_mib")});
     }
     if (peer_ms > 0.0) times.limits_ms = {{0.2 * peer_ms, "0.2"}, {0.5 * peer_ms, "0.5"}, {peer_ms, "VTK linear = 1"}};
     for (const auto& must : report["must_show"])

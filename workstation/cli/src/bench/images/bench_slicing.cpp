@@ -122,8 +122,9 @@ struct SlicingCase {
   std::string method;
   Quality quality = Quality::weave;
   bool peer = false;
-  Read read = Read::rows;    ///< of a peer: rows
-  double bricksShare = 0.0;  ///< of its slices
+  Read read = Read::rows;        ///< of a peer: rows
+  double bricksShare = 0.0;      ///< of its slices
+  std::size_t voxels_bytes = 0;  ///< that it reads from
   std::string poseKind;
   BenchSlicer slicer;
   std::vector<double> slices_us;       ///< every slice
@@ -283,6 +284,7 @@ std::vector<SlicingCase> casesFor(const BenchOptions& options, const SlicingScen
       tested.poseKind = kind;
       if (way.read != Read::rows)
         tested.bricksShare = way.read == Read::bricks ? 1.0 : bricksShare(scene, way.quality, scene.poses.at(kind));
+      tested.voxels_bytes = (way.read == Read::bricks ? 0 : scene.volume.echo.size()) + (way.read == Read::rows ? 0 : scene.bricks.bytes());
       tested.slicer = way.peer ? peerSlicer(way.quality, scene.volume, options.sliceSide, options.sliceSide)
                                : ownSlicer(way.quality, sourceOf(scene, way.read), options.sliceSide);
       cases.push_back(std::move(tested));
@@ -412,6 +414,7 @@ void addToReport(const std::vector<SlicingCase>& cases, int volumeSide, json& re
                                  {"peer", tested.peer},
                                  {"layout", wordOf(tested.read)},
                                  {"bricks_share", tested.bricksShare},
+                                 {"voxels_mib", static_cast<double>(tested.voxels_bytes) / (1024.0 * 1024.0)},
                                  {"volume_side", volumeSide},
                                  {"pose_kind", tested.poseKind},
                                  {"median_us", medianOf(tested.repetitions_us)},
@@ -493,13 +496,15 @@ std::vector<BenchSection> slicingSections(const json& report) {
     section.title = "A slice of " + side + " x " + side + " pixels from " + std::to_string(volumeSide) + " cubed voxels";
     section.text =
         "One voxel a pixel, one thread. Random poses pass near the middle in any direction; smooth ones rock and slide like a hand. Voxels "
-        "lie in rows and in bricks, and each slice is read from what was timed to be faster for its quality and direction; each layout "
+        "lie in rows and in bricks (twice the memory), and each slice is read from what was timed to be faster for its quality and "
+        "direction; each layout "
         "alone is shown beside it.";
     section.legend = {{BenchMark::own, "EchoWeave, random poses"},
                       {BenchMark::ownHollow, "EchoWeave, smooth"},
                       {BenchMark::peer, "VTK, random"},
                       {BenchMark::peerHollow, "VTK, smooth"}};
-    section.table = {2, {"Slicer", "Poses", "From bricks", "Median, ms", "Speed against VTK", "PSNR, dB", "Worst, grey levels"}, {}};
+    section.table = {
+        2, {"Slicer", "Poses", "From bricks", "Voxels, MiB", "Median, ms", "Speed against VTK", "PSNR, dB", "Worst, grey levels"}, {}};
     for (const auto& row : report["results"]) {
       if (row["volume_side"] != volumeSide) continue;
       const bool peer = row["peer"].get<bool>(), smooth = row["pose_kind"] == "smooth";
@@ -517,7 +522,8 @@ std::vector<BenchSection> slicingSections(const json& report) {
           speed = fixedText(ratio["times_faster"].get<double>(), 1) + " times (" + fixedText(ratio["times_faster_least"].get<double>(), 1) +
                   " to " + fixedText(ratio["times_faster_most"].get<double>(), 1) + ")";
       section.table.rows.push_back({method, poses, peer ? "" : fixedText(100.0 * row["bricks_share"].get<double>(), 0) + " %",
-                                    fixedText(ms, 3), speed, fixedText(psnr, 1), fixedText(row["worst_grey"].get<double>(), 1)});
+                                    fixedText(row["voxels_mib"].get<double>(), 0), fixedText(ms, 3), speed, fixedText(psnr, 1),
+                                    fixedText(row["worst_grey"].get<double>(), 1)});
     }
     sections.push_back(std::move(section));
   }

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <random>
 
+#include "ew/core/figures.h"
 #include "ew/core/large_pages.h"
 #include "ew/core/simd.h"
 #include "run/report.h"
@@ -135,5 +136,13 @@ bool runsOnThisThreadAlone(const std::function<void()>& work) {
 }
 
 std::string machineName() { return processorName() + ", kernels on " + simdInUse(); }
+
+nlohmann::json peakOf(const MemoryWatch& watch) { return watch.isKnown() ? nlohmann::json(watch.peak_mib()) : nlohmann::json(); }
+
+nlohmann::json heldOf(const MemoryWatch& watch) { return watch.isKnown() ? nlohmann::json(watch.held_mib()) : nlohmann::json(); }
+
+std::string memoryIn(const nlohmann::json& row, const char* key, int decimals) {
+  return row.contains(key) && row[key].is_number() ? fixedText(row[key].get<double>(), decimals) : std::string();
+}
 
 }  // namespace ew

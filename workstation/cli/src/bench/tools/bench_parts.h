@@ -6,10 +6,12 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "ew/core/frames.h"
+#include "ew/core/memory_watch.h"
 #include "ew/core/order_statistics.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
@@ -61,5 +63,11 @@ using BenchSlicer = std::function<const std::uint8_t*(const Transform<frame::Vox
   return values.empty() ? none : quantileOf(values, share);
 }
 [[nodiscard]] std::string machineName();
+
+/// Of a watch in a report: null where nobody says what a process takes.
+[[nodiscard]] nlohmann::json peakOf(const MemoryWatch& watch);
+[[nodiscard]] nlohmann::json heldOf(const MemoryWatch& watch);
+/// A memory of a report in a table; empty where it is not known.
+[[nodiscard]] std::string memoryIn(const nlohmann::json& row, const char* key, int decimals = 1);
 
 }  // namespace ew

@@ -11,6 +11,7 @@
 
 #include "bench/tools/bench_parts.h"
 #include "ew/acquisition/reconstruct_words.h"
+#include "ew/core/memory_watch.h"
 #include "ew/core/numbers.h"
 #include "run/report.h"
 
@@ -105,6 +106,7 @@ struct ReconstructSetting {
   ReconstructOptions options;
   json measured, filled;
   std::size_t pixels = 0;
+  json peak_mib;  ///< beyond the frames
   std::vector<double> cpu_us;
 };
 
@@ -161,8 +163,10 @@ Result<void> measureErrors(std::vector<ReconstructSetting>& settings, Progress& 
     ReconstructSetting& setting = settings[n];
     const double share = 1.0 / static_cast<double>(settings.size());
     PartOfProgress part(progress, static_cast<double>(n) * share, static_cast<double>(n + 1) * share);
+    const MemoryWatch memory;
     const auto made = reconstruct(setting.sweep->frames, setting.options, part);
     if (!made) return passOn(made.error());
+    setting.peak_mib = peakOf(memory);
     if (made->volume.grid != setting.truth->grid)
       return failure(ErrorCode::internal, say<"'%1' made a volume on another grid than planned; report this.">(setting.name));
     setting.pixels = made->pixelsPasted;
@@ -286,6 +290,7 @@ Result<json> benchReconstruct(const ReconstructBenchOptions& options, Progress& 
                                  {"fill_reach_mm", setting.options.fillReach_mm},
                                  {"spacing_mm", setting.options.spacing_mm},
                                  {"median_us", median_us},
+                                 {"peak_mib", setting.peak_mib},
                                  {"mpx_per_s", static_cast<double>(setting.pixels) / std::max(1e-3, median_us)},
                                  {"measured", std::move(setting.measured)},
                                  {"filled", std::move(setting.filled)}});

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "bench/tools/bench_parts.h"
 #include "bench/volumes/bench_reconstruct.h"
 #include "ew/core/numbers.h"
 
@@ -31,12 +32,14 @@ std::string figure(const json& errors, const char* key, int decimals, double tim
 BenchSection pastingSection(const json& report) {
   BenchSection section;
   section.title = "Pasting frames into a volume: the measured voxels";
-  section.text = "Sweeps of " + std::to_string(report["frames"].get<int>()) + " frames of " +
-                 std::to_string(report["image_side"].get<int>()) + " x " + std::to_string(report["image_side"].get<int>()) +
-                 " pixels, one thread, the whole reconstruction without filling. Solid: the finer spacing. A voxel of `nearest` holds the "
-                 "mean of pixels somewhere in it, one of `centred` what the frames show at its centre.";
+  section.text =
+      "Sweeps of " + std::to_string(report["frames"].get<int>()) + " frames of " + std::to_string(report["image_side"].get<int>()) + " x " +
+      std::to_string(report["image_side"].get<int>()) +
+      " pixels, one thread, the whole reconstruction without filling. Solid: the finer spacing. A voxel of `nearest` holds the "
+      "mean of pixels somewhere in it, one of `centred` what the frames show at its centre. Memory is the peak beyond the frames.";
   section.legend = {{BenchMark::own, "finest spacing"}, {BenchMark::ownHollow, "coarser"}};
-  section.table = {3, {"Sweep", "Spacing, mm", "Interpolation", "Median, ms", "Mpx/s", "Measured, %", "PSNR, dB", "MAE", "Bias"}, {}};
+  section.table = {
+      3, {"Sweep", "Spacing, mm", "Interpolation", "Median, ms", "Mpx/s", "Memory, MiB", "Measured, %", "PSNR, dB", "MAE", "Bias"}, {}};
   double finest_mm = 1e300;
   for (const auto& row : report["results"]) finest_mm = std::min(finest_mm, row["spacing_mm"].get<double>());
   for (const auto& row : report["results"]) {
@@ -48,9 +51,9 @@ BenchSection pastingSection(const json& report) {
       section.points.push_back({fine ? sweep + ", " + row["interpolation"].get<std::string>() : "", row["name"].get<std::string>(), ms,
                                 row["measured"]["psnr_db"].get<double>(), fine ? BenchMark::own : BenchMark::ownHollow, sweep + spacing});
     section.table.rows.push_back({sweep, spacing, row["interpolation"].get<std::string>(), fixedText(ms, 1),
-                                  fixedText(row["mpx_per_s"].get<double>(), 1), figure(row["measured"], "share", 1, 100.0),
-                                  figure(row["measured"], "psnr_db", 1), figure(row["measured"], "mae", 2),
-                                  figure(row["measured"], "bias", 2)});
+                                  fixedText(row["mpx_per_s"].get<double>(), 1), memoryIn(row, "peak_mib"),
+                                  figure(row["measured"], "share", 1, 100.0), figure(row["measured"], "psnr_db", 1),
+                                  figure(row["measured"], "mae", 2), figure(row["measured"], "bias", 2)});
   }
   return section;
 }
@@ -61,9 +64,10 @@ BenchSection fillingSection(const json& report, const std::string& sweep) {
   section.title = "Filling the holes of a " + sweep + " sweep: the voxels no frame passed through";
   section.text =
       "The time is of the whole reconstruction. Bridges join measured voxels in straight lines; `sweep` first follows the probe from frame "
-      "to frame. A longer reach fills more of the holes, the harder ones too.";
+      "to frame. A longer reach fills more of the holes, the harder ones too. Memory is the peak beyond the frames.";
   section.legend = {{BenchMark::own, "along the sweep"}, {BenchMark::peer, "bridges"}};
-  section.table = {2, {"Spacing, mm", "Setting", "Median, ms", "Measured, %", "PSNR, dB", "MAE", "Filled, %", "PSNR, dB", "MAE"}, {}};
+  section.table = {
+      2, {"Spacing, mm", "Setting", "Median, ms", "Memory, MiB", "Measured, %", "PSNR, dB", "MAE", "Filled, %", "PSNR, dB", "MAE"}, {}};
   for (const auto& row : report["results"]) {
     if (row["sweep"] != sweep) continue;
     const double ms = row["median_us"].get<double>() * 1e-3;
@@ -74,7 +78,7 @@ BenchSection fillingSection(const json& report, const std::string& sweep) {
       section.points.push_back({row["fill_reach_mm"] > 4.0 ? label : "", row["name"].get<std::string>(), ms,
                                 row["filled"]["psnr_db"].get<double>(), along ? BenchMark::own : BenchMark::peer,
                                 label + (along ? " sweep" : " bridges")});
-    section.table.rows.push_back({spacing, setting, fixedText(ms, 1), figure(row["measured"], "share", 1, 100.0),
+    section.table.rows.push_back({spacing, setting, fixedText(ms, 1), memoryIn(row, "peak_mib"), figure(row["measured"], "share", 1, 100.0),
                                   figure(row["measured"], "psnr_db", 1), figure(row["measured"], "mae", 2),
                                   figure(row["filled"], "share", 1, 100.0), figure(row["filled"], "psnr_db", 1),
                                   figure(row["filled"], "mae", 2)});

@@ -14,6 +14,7 @@
 
 #include "bench/tools/bench_parts.h"
 #include "bench/volumes/bench_register_peers.h"
+#include "ew/core/memory_watch.h"
 #include "ew/core/numbers.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/io/volume_file.h"
@@ -492,16 +493,19 @@ Result<json> benchRegister(const RegisterBenchOptions& options, Progress& progre
     timing.report(say<"Registering">(), static_cast<double>(n) / static_cast<double>(trials.size()));
     std::vector<double> times_us;
     Result<Answer> answer = Answer{};
+    MemoryWatch memory;
     for (int repetition = 0; repetition < options.repetitions; ++repetition) {
       if (progress.cancelRequested()) return registerStopped();
       // The work's own progress would move the bar backwards; the wish to cancel has to reach it.
       QuietProgress ask(progress);
+      answer = Answer{};
       const double begin_s = threadTime_s();
       answer = trial.work(ask);
       times_us.push_back(1e6 * (threadTime_s() - begin_s));
       if (!answer) return passOn(answer.error());
     }
     json row = rowOf(trial.method, trial.setting, *trial.pair, medianOf(times_us), answer->found);
+    row["peak_mib"] = peakOf(memory);
     row["verdict"] = nameOf(answer->verdict);
     row["jacobian_min"] = answer->jacobianMin ? json(*answer->jacobianMin) : json();
     report["steps"].push_back(json(cli::stepRow(row["name"].get<std::string>(), std::move(times_us))));

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "bench/tools/bench_parts.h"
+#include "ew/core/memory_watch.h"
 #include "ew/core/numbers.h"
 #include "ew/core/word_table.h"
 #include "ew/phantom/speckle_view.h"
@@ -89,6 +90,7 @@ struct StitchSetting {
   int block = 0;  ///< 0: whole
   JoinResult result;
   std::vector<double> find_us, join_us;
+  json peak_mib;  ///< beyond the views
 };
 
 std::vector<StitchSetting> settingsOf() {
@@ -136,8 +138,10 @@ class Whole final : public BlockSink {
 
 double wall_us() { return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// One run; the result is kept of the first.
+/// One run; the result of the last is kept.
 Result<void> run(const Views& made, StitchSetting& setting, double (*clock_us)(), Progress& progress) {
+  setting.result = {};
+  const MemoryWatch memory;
   const double begun_us = clock_us();
   const auto seams = findSeams(made.views, made.grid, setting.options.seam, progress);
   if (!seams) return passOn(seams.error());
@@ -156,6 +160,7 @@ Result<void> run(const Views& made, StitchSetting& setting, double (*clock_us)()
     setting.result = std::move(*joined);
   }
   setting.find_us.push_back(found_us - begun_us);
+  setting.peak_mib = peakOf(memory);
   return {};
 }
 
@@ -181,6 +186,7 @@ json rowOf(const Views& made, const StitchSetting& setting) {
           {"step_db", seam.meanStep_db},
           {"shadow_error_db", shadowError_db(made, setting.result)},
           {"seam_times_limit", worst},
+          {"peak_mib", setting.peak_mib},
           {"forecast_mib", forecast ? static_cast<double>(forecast->bytes) / (1024.0 * 1024.0) : 0.0}};
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "bench/tools/bench_parts.h"
 #include "bench/volumes/bench_stitch.h"
 #include "ew/core/numbers.h"
 
@@ -29,11 +30,15 @@ std::vector<BenchSection> stitchSections(const json& report) {
       " voxels a side, of one scene with independent speckle, other gain, other depth gain and a shadow in one; one thread, seam and "
       "join together. Upwards: how many times the worst of three measures goes into its limit (derivative across the seam against the "
       "surfaces beside it 1.00 +- 0.05, deviation of speckle 1.00 +- 0.05, step of the mean 0.5 dB); above 1 the seam is not "
-      "apparent. The deepest view knows no shadow; the cut fills it from the other view.";
+      "apparent. The deepest view knows no shadow; the cut fills it from the other view. The forecast is "
+      "what the program says before; beside it the peak that was measured beyond the views, with the joined volume that is kept here to be "
+      "compared.";
   seams.axis = {.title = "limit over the worst measure", .unit = "", .decimals = 2, .smallestStep = 0.5};
   seams.legend = {{BenchMark::own, "cut"}, {BenchMark::ownHollow, "deepest view"}, {BenchMark::peer, "feathered mean, or pasted"}};
-  seams.table = {
-      1, {"Setting", "Seam, ms", "Join, ms", "Derivative", "Speckle", "Step, dB", "Shadow off by, dB", "Forecast, MiB", "As whole"}, {}};
+  seams.table = {1,
+                 {"Setting", "Seam, ms", "Join, ms", "Derivative", "Speckle", "Step, dB", "Shadow off by, dB", "Forecast, MiB",
+                  "Memory, MiB", "As whole"},
+                 {}};
   for (const auto& row : report["results"]) {
     const std::string method = row["method"].get<std::string>();
     const bool usual = method == "feather" || row["blend_mm"] == 0.0;
@@ -48,6 +53,7 @@ std::vector<BenchSection> stitchSections(const json& report) {
                                 fixedText(row["join_us"].get<double>() * 1e-3, 1), fixedText(row["derivative_ratio"].get<double>(), 3),
                                 fixedText(row["speckle_ratio"].get<double>(), 3), fixedText(row["step_db"].get<double>(), 2),
                                 fixedText(row["shadow_error_db"].get<double>(), 2), fixedText(row["forecast_mib"].get<double>(), 1),
+                                memoryIn(row, "peak_mib"),
                                 row.contains("same_as_whole") ? (row["same_as_whole"].get<bool>() ? "the same" : "OTHERS") : ""});
   }
   BenchSection threads;
