@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "drawn_anatomy.h"
+#include "ew/phantom/flow.h"
 
 namespace ew::neck_test {
 namespace {
@@ -102,6 +105,42 @@ TEST(Neck, WidensTheCarotidsWithThePulse) {
 }
 
 TEST(Neck, IsShownByItsStandardPlanes) { neck().expectPlanesShowWhatTheySay(20.0, 45.0); }
+
+/// The stream of a name, and what Doppler should find of it at a place of a carotid's frame.
+TrueWaveform waveformAt(const std::string& name, const char* side, const glm::dvec3& place) {
+  static const FlowTruth truth(flowOf(*neck()));
+  const auto& streams = truth.field().streams;
+  const auto found = std::find_if(streams.begin(), streams.end(), [&](const FlowStream& stream) { return stream.name == name; });
+  const auto waveform =
+      found == streams.end() ? std::nullopt : waveformNear(truth, static_cast<int>(found - streams.begin()), in(neck().frame(side), place));
+  EXPECT_TRUE(waveform) << name;
+  return waveform.value_or(TrueWaveform{});
+}
+
+TEST(Neck, HasBloodInItsCarotidsAsHealthyPeopleHaveIt) {
+  const TrueWaveform common = waveformAt("left common carotid artery", "left carotid", {0, 0, -40});
+  EXPECT_NEAR(common.flow_mm3PerS * 60e-3, 415.0, 1.0) << "ml/min";
+  EXPECT_NEAR(common.peakSystolic_mmPerS, 640.0, 120.0);
+  EXPECT_NEAR(common.resistiveIndex(), 0.76, 0.06);
+  const TrueWaveform internal = waveformAt("left internal carotid artery", "left carotid", {5.3, 0, 30});
+  EXPECT_NEAR(internal.peakSystolic_mmPerS, 730.0, 120.0);
+  EXPECT_NEAR(internal.resistiveIndex(), 0.67, 0.05);
+  const TrueWaveform external = waveformAt("left external carotid artery", "left carotid", {-6.6, 0, 28});
+  EXPECT_NEAR(external.peakSystolic_mmPerS, 790.0, 160.0);
+  EXPECT_NEAR(external.resistiveIndex(), 0.86, 0.05);
+}
+
+TEST(Neck, LetsBloodFlowWithinTheLumenAlone) {
+  const FlowTruth truth(flowOf(*neck()));
+  for (const FlowStream& stream : truth.field().streams)
+    for (std::size_t n = 4; n + 4 < stream.line.size(); n += 4) {
+      const std::string organ = neck().organAt(stream.line[n].place_mm);
+      EXPECT_TRUE(organ == "carotid arteries" || organ == "plaque") << stream.name << ": " << organ;
+    }
+  const TrueWaveform narrow = waveformAt("right internal carotid artery", "right carotid", {5.2, 0, 9.6});
+  const TrueWaveform open = waveformAt("left internal carotid artery", "left carotid", {5.2, 0, 9.6});
+  EXPECT_GT(narrow.peakSystolic_mmPerS, 1.5 * open.peakSystolic_mmPerS) << "beside the plaque";
+}
 
 }  // namespace
 }  // namespace ew::neck_test

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "ew/phantom/flow.h"
 #include "recipes.h"
 
 namespace ew::recipe_test {
@@ -114,6 +115,31 @@ std::string worked(const std::string& expression) {
       R"("parameters": {"a": {"default": 8, "lowest": 0, "highest": 9, "unit": "mm"}, "b_2": {"default": "=a / 4", "lowest": 0, "highest": 9, "unit": "mm"}},)"));
   if (!patient) return patient.error().sentence();
   return std::to_string(-signedDistance_mm(**patient, "egg", {0, 0, 0}).value());
+}
+
+TEST_F(Family, ChangesStreamsOfBloodByTheirNames) {
+  folder_.write("base.json",
+                patientRecipe(R"({"name": "vessel", "tissue": "dark", "shape": {"tube": {"points": [[0, 0, -20, 3], [0, 0, 20, 3]]}}})",
+                              R"("flow": {"viscosity_mpa_s": 4, "streams": [
+                                             {"name": "a", "of": "vessel", "flow_ml_per_min": 100}, {"name": "b", "of": "vessel", "flow_ml_per_min": 50}]},)"));
+  const auto child = extended(R"(, "flow": {"viscosity_mpa_s": null, "streams": [{"name": "b", "flow_ml_per_min": 60}]})");
+  ASSERT_TRUE(child) << child.error();
+  const FlowField& field = flowOf(**child);
+  ASSERT_EQ(field.streams.size(), 2u);
+  EXPECT_NEAR(field.streams[0].flow_mm3PerS, 100e3 / 60.0, 1e-9);
+  EXPECT_NEAR(field.streams[1].flow_mm3PerS, 60e3 / 60.0, 1e-9);
+  EXPECT_EQ(field.viscosity_mPaS, 3.5) << "null takes a field away";
+}
+
+TEST_F(Family, RefusesAFlowThatIsNone) {
+  for (const char* flow : {"5", "[]", R"({"streams": {"name": "a"}})", R"({"waves": 3})"}) {
+    folder_.write("base.json",
+                  patientRecipe(R"({"name": "vessel", "tissue": "dark", "shape": {"tube": {"points": [[0, 0, -20, 3], [0, 0, 20, 3]]}}})",
+                                std::string("\"flow\": ") + flow + ","));
+    const auto child = extended(R"(, "flow": {"streams": [{"name": "b", "of": "vessel", "flow_ml_per_min": 60}]})");
+    ASSERT_FALSE(child) << flow;
+    EXPECT_EQ(child.error().code, ErrorCode::badField) << flow;
+  }
 }
 
 TEST(Expressions, FollowTheRulesOfArithmetic) {

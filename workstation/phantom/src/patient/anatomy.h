@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ew/phantom/patient.h"
+#include "patient/flow_recipe.h"
 #include "patient/motion_recipe.h"
 #include "patient/truth_recipe.h"
 #include "shapes/shape.h"
@@ -54,6 +55,7 @@ class Patient {
   std::vector<PatientParameter> parameters;
   phantom::ShapesByName shapes;  ///< every shape and organ by name, as drawn
   phantom::Motion motion;
+  phantom::Flow flow;
   std::vector<phantom::MeasurementRequest> measurements;
   std::vector<StandardPlane> planes;
   double scattererPitch_mm = 0.5;  ///< of the lattice of scatterers, one in a cell where they are dense: 1 / pitch^3 to the mm3

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "ew/core/numbers.h"
+#include "ew/phantom/motion.h"
 #include "patient/anatomy.h"
 #include "patient/distance_cache.h"
 #include "patient/recipe.h"
@@ -163,7 +164,7 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   auto patient = std::make_shared<Patient>();
   patient->parameters = whole->parameters;
   recipe.only({"format", "mannequin", "box", "beam_axis_mm", "scatterers", "tissues", "background", "frames", "shapes", "organs", "motion",
-               "measurements", "planes"});
+               "flow", "measurements", "planes"});
   patient->name = recipe.text("name");
   patient->box = readBox(recipe);
   if (const auto axis = recipe.numbers("beam_axis_mm", 2, 2, -1e4, 1e4, false); !axis.empty()) patient->beamAxis_mm = {axis[0], axis[1]};
@@ -184,6 +185,7 @@ Result<std::shared_ptr<const Patient>> readPatient(const std::filesystem::path& 
   if (recipe.has("motion") && reading.good())
     patient->motion = phantom::readMotion(recipe.object("motion"), patient->box, patient->skin, patient->shapes, moving);
   if (progress.cancelRequested()) return stopped();
+  if (recipe.has("flow") && reading.good()) patient->flow = phantom::readFlow(recipe.object("flow"), patient->shapes, rhythmsOf(*patient));
   patient->planes = phantom::readPlanes(recipe, patient->skin, patient->shapes, progress);
   if (progress.cancelRequested()) return stopped();
   patient->measurements = phantom::readMeasurements(recipe, patient->shapes, patient->planes);
@@ -210,7 +212,9 @@ Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, co
   if (!bodyFile) return passOn(bodyFile.error());
   const auto body = phantom::readWholeMannequin(*bodyFile);
   if (!body) return passOn(body.error());
-  return fnv1a(body->dump(), fnv1a(whole->json.dump(), 14695981039346656037ull ^ kVoxelVersion));
+  nlohmann::json drawn = whole->json;
+  drawn.erase("flow");  // no voxel depends on it
+  return fnv1a(body->dump(), fnv1a(drawn.dump(), 14695981039346656037ull ^ kVoxelVersion));
 }
 
 std::vector<OrganName> organsOf(const Patient& patient) {

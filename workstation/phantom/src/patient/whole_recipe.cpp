@@ -37,6 +37,10 @@ void checkMergeable(const JsonFields& recipe) {
   for (const std::string& list : kNamedLists) {
     if (recipe.has(list)) static_cast<void>(recipe.objects(list, 0, kMostEntries, say<"a list of at most %1 entries">(kMostEntries)));
   }
+  const JsonFields flow = recipe.object("flow");
+  for (const char* list : {"waves", "streams"}) {
+    if (flow.has(list)) static_cast<void>(flow.objects(list, 0, kMostEntries));
+  }
   const JsonFields parameters = recipe.object("parameters");
   if (parameters.value().size() > kMostEntries)
     recipe.refuse("parameters", say<"%1 entries">(parameters.value().size()),
@@ -114,6 +118,19 @@ void mergeParameters(const JsonFields& given, json& into) {
   }
 }
 
+void mergeFlow(const JsonFields& given, json& into) {
+  if (into.is_null()) into = json::object();
+  for (const auto& [field, value] : given.value().items()) {
+    if (!given.good()) return;
+    if (field == "waves" || field == "streams")
+      mergeList(given, field, Taken::changed, into[field]);
+    else if (value.is_null())
+      into.erase(field);
+    else
+      into[field] = value;
+  }
+}
+
 /// `child` on top of `base`.
 json merged(json base, const JsonFields& child) {
   const JsonFields remove = child.object("remove");
@@ -130,6 +147,8 @@ json merged(json base, const JsonFields& child) {
       mergeParameters(child.object(field), base[field]);
     else if (field == "motion")
       base[field].merge_patch(value);
+    else if (field == "flow")
+      mergeFlow(child.object(field), base[field]);
     else
       base[field] = value;
   }

@@ -30,7 +30,8 @@ struct WholeRecipe {  // NOLINT(bugprone-exception-escape): JSON is moved withou
 /// - "remove" lists names of tissues, shapes, organs, measurements and planes that go.
 /// - An entry of these lists whose name is taken changes the fields it gives (null takes a field away; a shape is replaced as a whole);
 ///   a new entry goes to the end, or directly "before" or "after" the entry named there.
-/// - "parameters" and "motion" change field by field; a parameter given as a plain number has that as its default.
+/// - "parameters" and "motion" change field by field, "flow" too, its waves and streams as those lists do; a parameter given as a plain
+/// number has that as its default.
 /// - Any text that begins with "=" is an expression of the parameters.
 /// @error as readPatient, as far as it goes
 [[nodiscard]] Result<WholeRecipe> readWholeRecipe(const std::filesystem::path& file, const std::filesystem::path& mannequins,

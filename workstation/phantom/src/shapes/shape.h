@@ -47,6 +47,8 @@ class Shape {
   [[nodiscard]] virtual double middle_mm(const glm::dvec3& p_mm) const { return distance_mm(p_mm); }
   /// Of a tree of vessels; null for everything else.
   [[nodiscard]] virtual const VesselTree* vessels() const { return nullptr; }
+  /// Of a tree of vessels, the line of each branch, from its root to its end; null for everything else.
+  [[nodiscard]] virtual const std::vector<CentreLine>* branchLines() const { return nullptr; }
   /// Solids that one call of distance_mm may ask, a shared one counted at every use: what a point costs.
   [[nodiscard]] double solids() const { return solids_; }
   /// Shapes inside one another on the longest way down, this one included: how deep distance_mm recurses.

@@ -73,6 +73,7 @@ class TreeShape final : public Shape {
     return nearest;
   }
   const VesselTree* vessels() const override { return &tree_; }
+  const std::vector<CentreLine>* branchLines() const override { return &lines_; }
 
  private:
   struct Node {
@@ -119,6 +120,8 @@ class TreeShape final : public Shape {
     const int pieces = std::clamp(static_cast<int>(std::ceil(length / kPiece_mm)), 1, kMostPieces);
     glm::dvec3 from = branch.from_mm;
     double radius = first;
+    CentreLine& line = lines_.emplace_back();
+    line.points_mm.emplace_back(from, radius);
     for (int piece = 1; piece <= pieces; ++piece) {
       const double t = static_cast<double>(piece) / pieces, t2 = t * t, t3 = t2 * t;
       const glm::dvec3 to = (2.0 * t3 - 3.0 * t2 + 1.0) * branch.from_mm + (t3 - 2.0 * t2 + t) * 0.7 * length * begin +
@@ -129,6 +132,7 @@ class TreeShape final : public Shape {
       boxes_.push_back(boundsOfCone(cone));
       from = to;
       radius = branch.radius_mm;
+      line.points_mm.emplace_back(from, radius);
     }
   }
 
@@ -163,6 +167,7 @@ class TreeShape final : public Shape {
 
   VesselTree tree_;
   std::uint64_t seed_;
+  std::vector<CentreLine> lines_;  ///< by branch
   std::vector<Cone> cones_;
   std::vector<Bounds> boxes_;
   std::vector<int> order_;
