@@ -108,5 +108,31 @@ TEST(PhantomCommand, RefusesASpacingThatNeedsMoreMemoryThanThereIs) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(PhantomCommand, TellsHowBloodFlows) {
+  const auto folder = shippedCasesFolder();
+  ASSERT_TRUE(folder);
+  const std::string neck = (*folder / "neck-carotid-thyroid" / "patient.json").string();
+  const TemporaryFolder out;
+  const auto outcome = run({"phantom", neck, "--blood", "33.2", "-4.5", "259.05", "--time", "0.2", "--truth", out / "truth.json",
+                            "--report", out / "report.json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto blood = readJson(out / "report.json")["blood"];
+  EXPECT_TRUE(blood["stream"].get<std::string>().starts_with("left ")) << blood;
+  EXPECT_GT(blood["greatest_cm_per_s"].get<double>(), 30.0) << "systole";
+  EXPECT_NEAR(blood["diameter_mm"].get<double>(), 6.0, 0.05);
+  const auto flow = readJson(out / "truth.json")["flow"];
+  EXPECT_EQ(flow["streams"].size(), 6u);
+  for (const auto& stream : flow["streams"]) {
+    EXPECT_GT(stream["psv_cm_per_s"].get<double>(), stream["edv_cm_per_s"].get<double>());
+    EXPECT_GT(stream["ri"].get<double>(), 0.5);
+  }
+  ASSERT_EQ(flow["stenoses"].size(), 1u);
+  EXPECT_EQ(flow["stenoses"][0]["stream"], "right internal carotid artery");
+
+  EXPECT_EQ(run({"phantom", neck, "--blood", "0", "0", "0"}).status, 1) << "no vessel is there";
+  const std::string stone = (*folder / "upper-abdomen-gall-stone" / "patient.json").string();
+  EXPECT_NE(run({"phantom", stone, "--blood", "0", "0", "0"}).status, 0) << "its recipe says nothing of flow";
+}
+
 }  // namespace
 }  // namespace ew::test::phantom_test

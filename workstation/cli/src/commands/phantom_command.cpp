@@ -2,12 +2,14 @@
 #include <array>
 #include <filesystem>
 
+#include "commands/phantom_flow.h"
 #include "commands/phantom_sweep.h"
 #include "ew/core/numbers.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
+#include "ew/phantom/flow.h"
 #include "ew/phantom/patient.h"
 #include "ew/phantom/truth.h"
 #include "run/arguments.h"
@@ -30,6 +32,7 @@ struct PhantomArguments {
   std::vector<std::string> surfaces;
   double edge_mm = 1.0;
   SweepArguments sweep;
+  FlowArguments flow;
 };
 
 /// The words of --set: NAME=VALUE.
@@ -72,6 +75,7 @@ Result<nlohmann::json> truthOf(const Patient& patient, const BodyState& state, P
                                {"position_tolerance_mm", each.positionTolerance_mm},
                                {"angle_tolerance_deg", each.angleTolerance_deg},
                                {"shows", each.shows}});
+  if (!flowOf(patient).streams.empty()) truth["flow"] = flowTruthOf(patient);
   return truth;
 }
 
@@ -183,10 +187,10 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
   const auto surfaces = wantedSurfaces(arguments.surfaces);
   if (!surfaces) return passOn(surfaces.error());
   if (auto announced = announcePhantom(arguments, *surfaces, run); !announced) return passOn(announced.error());
-  if (!voxelsWanted && !sweepWanted && arguments.truth.empty() && arguments.surfaces.empty())
+  if (!voxelsWanted && !sweepWanted && arguments.truth.empty() && arguments.surfaces.empty() && !arguments.flow.at_mm)
     return failure(ErrorCode::badUsage,
                    say<"Say what to write: --volume TRUTH.mha, --labels LABELS.mha, --level LEVEL.mha, --truth TRUTH.json, --surface "
-                       "ORGAN=FILE, --sweep SWEEP.json -o SWEEP.igs.mha, or several.">());
+                       "ORGAN=FILE, --sweep SWEEP.json -o SWEEP.igs.mha, or several; or ask with --blood X Y Z.">());
   run.report.options = {{"spacing_mm", arguments.spacing_mm}, {"threads", arguments.threads}};
   run.report.seed = arguments.seed;
 
@@ -200,6 +204,8 @@ Result<int> makePhantom(const PhantomArguments& arguments, Run& run) {
     run.report.details["parameters"][each.name] = {{"value", each.value}, {"unit", each.unit}};
   if (!arguments.truth.empty())
     if (auto written = writeTruth(arguments, **patient, run); !written) return passOn(written.error());
+  if (arguments.flow.at_mm)
+    if (auto told = tellBlood(arguments.flow, **patient, run); !told) return passOn(told.error());
   if (auto written = writeSurfaces(arguments, **patient, *surfaces, run); !written) return passOn(written.error());
   if (sweepWanted) {
     PartOfProgress sweeping(run.progress, 0.0, voxelsWanted ? 0.7 : 1.0);
@@ -235,9 +241,13 @@ void addPhantom(CLI::App& root, Selection& selection) {
   app.add_option("--set", arguments->set, "A parameter of the recipe, such as the size of a finding; may be given several times")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--truth", arguments->truth, "The recipe's measurements and standard planes, exactly: .json")->type_name("TRUTH.json");
+  app.add_option("--truth", arguments->truth, "The recipe's measurements, standard planes and flow, exactly: .json")
+      ->type_name("TRUTH.json");
   addNumber(app, "--breath", arguments->state.breath, {0.0, 1.0}, "Of --truth: 0 breathed out, 1 breathed in (0)");
   addNumber(app, "--pulse", arguments->state.pulse, {0.0, 1.0}, "Of --truth: 0 vessels narrow, 1 wide (0)");
+  addNumberList(app, "--blood", arguments->flow.at_mm, 3, "X Y Z", "Tell how blood flows at this place of the body at rest, in mm");
+  addNumber(app, "--time", arguments->flow.time_s, {0.0, 1e6}, "Of --blood: the moment in s; beats are those of the patient's pulse (0)")
+      .needs("--blood");
   app.add_option("--surface", arguments->surfaces, "An organ's surface as triangles: .stl or .ply; may be given several times")
       ->type_name("ORGAN=FILE")
       ->allow_extra_args(false);

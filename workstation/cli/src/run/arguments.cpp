@@ -14,8 +14,9 @@ struct NumberList {
   std::string_view option;
   std::size_t count;
 };
-constexpr std::array kNumberLists{NumberList{"--pose", 16},      NumberList{"--clip", 4},        NumberList{"--fan", 6},
-                                  NumberList{"--beam-fixed", 3}, NumberList{"--beam-moving", 3}, NumberList{"--place", 6}};
+constexpr std::array kNumberLists{NumberList{"--pose", 16}, NumberList{"--clip", 4},       NumberList{"--blood", 3},
+                                  NumberList{"--fan", 6},   NumberList{"--beam-fixed", 3}, NumberList{"--beam-moving", 3},
+                                  NumberList{"--place", 6}};
 
 std::string rangeText(Range range) { return "a number from " + textOf(range.lowest) + " to " + textOf(range.highest); }
 
