@@ -330,6 +330,27 @@ TEST(ElasticSolver, SolvesItsSystemAndNamesOneWithoutStiffness) {
   EXPECT_TRUE(solve(nothing, 1.0, prior, system.right, 1e-3, 50).singular);
 }
 
+TEST(ElasticSolver, GivesTheSameBitsOnEveryNumberOfThreads) {
+  // Large enough for several threads, and of odd sizes: columns of four floats are left beside the wide ones.
+  const NodeGrid nodes{{19, 17, 15}, {6.0, 5.0, 7.0}, {0.0, 0.0, 0.0}};
+  NodeSystem system(nodes);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> level(-1.0F, 1.0F);
+  for (std::size_t n = 0; n < nodes.count(); ++n)
+    for (std::size_t block = system.first[n]; block < system.first[n + 1]; ++block)
+      if (system.neighbour[block] == n)
+        for (std::size_t c = 0; c < 4; ++c) system.blocks[16 * block + 5 * c] = 2.0F + level(random);
+  for (float& value : system.right) value = level(random);
+  const Prior prior{1e-2, 1.0, 1e-2, 1e-3};
+  const Solution one = solve(system, 0.5, prior, system.right, 1e-6, 60, 1);
+  EXPECT_GT(one.iterations, 3);
+  for (const int threads : {2, 3, 8}) {
+    const Solution several = solve(system, 0.5, prior, system.right, 1e-6, 60, threads);
+    EXPECT_EQ(several.values, one.values) << threads;
+    EXPECT_EQ(several.iterations, one.iterations);
+  }
+}
+
 TEST(Unfold, BringsEveryCellAboveTheLeastJacobianAndLeavesTheRestAlone) {
   const NodeGrid nodes{{8, 8, 8}, {6.0, 6.0, 6.0}, {0.0, 0.0, 0.0}};
   NodeValues values(4 * nodes.count(), 0.0F);

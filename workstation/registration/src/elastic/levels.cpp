@@ -31,7 +31,7 @@ Prior scaled(Prior prior, double by) {
 }
 
 /// Displacement components the images decide rather than the prior: the trace of (H + P)^-1 H, by the answer to one vector of signs.
-double decidedByData(const NodeSystem& system, double dataWeight, const Prior& prior, double tolerance, int atMost) {
+double decidedByData(const NodeSystem& system, double dataWeight, const Prior& prior, double tolerance, int atMost, int threads) {
   NodeValues signs(4 * system.grid.count(), 0.0F), seen(signs.size(), 0.0F);
   std::uint32_t random = 0x9E3779B9U;
   for (std::size_t n = 0; n < signs.size(); ++n) {
@@ -41,7 +41,7 @@ double decidedByData(const NodeSystem& system, double dataWeight, const Prior& p
     if (n % 4 != 3) signs[n] = (random & 1024U) != 0 ? 1.0F : -1.0F;
   }
   multiplyData(system, dataWeight, signs, seen);
-  const Solution answer = solve(system, dataWeight, prior, seen, tolerance, atMost);
+  const Solution answer = solve(system, dataWeight, prior, seen, tolerance, atMost, threads);
   double sum = 0.0;
   for (std::size_t n = 0; n < signs.size(); ++n) sum += static_cast<double>(signs[n]) * static_cast<double>(answer.values[n]);
   return sum;
@@ -236,6 +236,7 @@ class LevelDescent {
   int iterations_;
   Placed placed_;
   const ElasticSettings& settings_;
+  int threads_;
   const std::function<bool()>& outOfTime_;
   ElasticState& state_;
   Progress& progress_;
@@ -267,6 +268,7 @@ LevelDescent::LevelDescent(const LevelImage& fixed, const LevelImage& moving, co
       iterations_(iterations),
       placed_(placed),
       settings_(settings),
+      threads_(threads),
       outOfTime_(outOfTime),
       state_(state),
       progress_(progress),
@@ -363,7 +365,7 @@ LevelDescent::Next LevelDescent::takeHalfTheStep() {
 /// The stiffness under which the field found is as warped as the images' part of it should be.
 void LevelDescent::followEvidence() {
   const double warped = 2.0 * priorEnergy(state_.nodes, {settings_.prior.membrane, settings_.prior.bending, 0.0, 0.0}, state_.values);
-  outcome_.decided = decidedByData(system_, dataWeight_, prior_, settings_.solveTolerance, settings_.solveIterations);
+  outcome_.decided = decidedByData(system_, dataWeight_, prior_, settings_.solveTolerance, settings_.solveIterations, threads_);
   if (warped > 0.0 && outcome_.decided > 1.0)
     state_.stiffness = std::clamp(std::sqrt(state_.stiffness * outcome_.decided / warped), 0.1, 30.0);
   prior_ = scaled(settings_.prior, state_.stiffness);
@@ -372,7 +374,7 @@ void LevelDescent::followEvidence() {
 LevelDescent::Next LevelDescent::takeStep() {
   applyPrior(state_.nodes, prior_, state_.values, gradient_);
   for (std::size_t n = 0; n < gradient_.size(); ++n) gradient_[n] = static_cast<float>(dataWeight_) * system_.right[n] - gradient_[n];
-  const Solution solution = solve(system_, dataWeight_, prior_, gradient_, settings_.solveTolerance, settings_.solveIterations);
+  const Solution solution = solve(system_, dataWeight_, prior_, gradient_, settings_.solveTolerance, settings_.solveIterations, threads_);
   if (solution.singular) {
     outcome_.singular = true;
     return Next::finish;

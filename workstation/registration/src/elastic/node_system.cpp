@@ -1,15 +1,31 @@
 #include "elastic/node_system.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "elastic/rows.h"
 #include "ew/core/contract.h"
+#include "ew/core/parallel.h"
 
 namespace ew::registration {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr std::size_t kWorthThreads = 4000;  // nodes: below it a product takes less than waking somebody
+constexpr std::size_t kPieces = 4;           // of a product for each thread, so that all end together
+
+/// Calls work(first, last) for pieces of 0 .. items, which must not depend on one another.
+template <class Work>
+void inPieces(std::size_t items, int threads, const Work& work) {
+  if (threads <= 1) return work(std::size_t{0}, items);
+  const std::size_t pieces = std::min(items, kPieces * static_cast<std::size_t>(threads));
+  std::atomic<std::size_t> next{0};
+  callOnThreads(static_cast<int>(pieces), threads, [&](int) {
+    const std::size_t piece = next++;
+    work(piece * items / pieces, (piece + 1) * items / pieces);
+  });
+}
 
 /// Adds the forces of squared differences to `out`, for a row of nodes at once.
 class RowForces {
@@ -79,32 +95,37 @@ class Preconditioner {
     }
   }
 
-  void apply(const NodeValues& in, NodeValues& out) {
+  void apply(const NodeValues& in, int threads, NodeValues& out) const {
     out = in;
-    for (int axis = 0; axis < 3; ++axis) transform(axis, false, out);
+    for (int axis = 0; axis < 3; ++axis) transform(axis, false, threads, out);
     for (std::size_t n = 0; n < out.size(); ++n) out[n] *= inverse_[n];
-    for (int axis = 0; axis < 3; ++axis) transform(axis, true, out);
+    for (int axis = 0; axis < 3; ++axis) transform(axis, true, threads, out);
   }
 
  private:
-  void transform(int axis, bool back, NodeValues& values) {
+  void transform(int axis, bool back, int threads, NodeValues& values) const {
     const auto n = static_cast<std::size_t>(dims_[axis]);
     if (n == 1) return;
     const std::size_t inner = 4 * static_cast<std::size_t>(axis == 0 ? 1 : axis == 1 ? dims_.x : dims_.x * dims_.y);
-    const std::size_t whole = inner * n;
-    scratch_.resize(whole);
-    for (std::size_t start = 0; start < values.size(); start += whole) {
-      const float* from = values.data() + start;
-      std::size_t s = 0;
-      for (; s + kWide <= inner; s += kWide) transformColumn<kWide>(axis, back, from + s, scratch_.data() + s, inner);
-      for (; s < inner; s += 4) transformColumn<4>(axis, back, from + s, scratch_.data() + s, inner);
-      std::copy(scratch_.begin(), scratch_.end(), values.begin() + static_cast<std::ptrdiff_t>(start));
-    }
+    // Columns of kWide floats, and of the 4 of one node where an odd number is left.
+    const std::size_t wide = inner / kWide, columns = wide + (inner - wide * kWide) / 4, slabs = values.size() / (inner * n);
+    inPieces(slabs * columns, threads, [&](std::size_t first, std::size_t last) {
+      std::vector<float> made(kWide * n);
+      for (std::size_t column = first; column < last; ++column) {
+        const std::size_t at = column % columns;
+        float* slab = values.data() + column / columns * inner * n;
+        if (at < wide)
+          transformColumn<kWide>(axis, back, slab + at * kWide, inner, made.data());
+        else
+          transformColumn<4>(axis, back, slab + wide * kWide + 4 * (at - wide), inner, made.data());
+      }
+    });
   }
 
   /// `kFloats` beside each other, whose rows along the axis are `stride` apart: their sums stay in registers.
+  /// @param made scratch memory for all of them
   template <std::size_t kFloats>
-  void transformColumn(int axis, bool back, const float* __restrict from, float* __restrict to, std::size_t stride) const {
+  void transformColumn(int axis, bool back, float* __restrict column, std::size_t stride, float* __restrict made) const {
     const auto n = static_cast<std::size_t>(dims_[axis]);
     const float* const basis = basis_[static_cast<std::size_t>(axis)].data();
     const std::size_t perRow = back ? 1 : n, perColumn = back ? n : 1;
@@ -112,17 +133,18 @@ class Preconditioner {
       float sums[kFloats] = {};
       for (std::size_t x = 0; x < n; ++x) {
         const float factor = basis[m * perRow + x * perColumn];
-        for (std::size_t f = 0; f < kFloats; ++f) sums[f] += factor * from[x * stride + f];
+        for (std::size_t f = 0; f < kFloats; ++f) sums[f] += factor * column[x * stride + f];
       }
-      for (std::size_t f = 0; f < kFloats; ++f) to[m * stride + f] = sums[f];
+      for (std::size_t f = 0; f < kFloats; ++f) made[m * kFloats + f] = sums[f];
     }
+    for (std::size_t m = 0; m < n; ++m)
+      for (std::size_t f = 0; f < kFloats; ++f) column[m * stride + f] = made[m * kFloats + f];
   }
 
   static constexpr std::size_t kWide = 16;
   glm::ivec3 dims_;
   std::array<std::vector<float>, 3> basis_;
   std::vector<float> inverse_;
-  std::vector<float> scratch_;
 };
 
 /// One row of 4 x 4 blocks times x.
@@ -133,6 +155,15 @@ void multiplyBlocks(const float* blocks, const std::size_t* nodes, std::size_t c
     for (std::size_t m = 0; m < 16; ++m) sums[m] += blocks[m] * v[m / 4];
   }
   for (std::size_t c = 0; c < 4; ++c) out[c] = (sums[c] + sums[4 + c]) + (sums[8 + c] + sums[12 + c]);
+}
+
+void multiplyRows(const NodeSystem& system, float factor, const NodeValues& in, std::size_t first, std::size_t last, NodeValues& out) {
+  for (std::size_t n = first; n < last; ++n) {
+    float sum[4];
+    multiplyBlocks(system.blocks.data() + 16 * system.first[n], system.neighbour.data() + system.first[n],
+                   system.first[n + 1] - system.first[n], in.data(), sum);
+    for (std::size_t c = 0; c < 4; ++c) out[4 * n + c] = factor * sum[c];
+  }
 }
 
 double dot(const NodeValues& a, const NodeValues& b) {
@@ -241,18 +272,14 @@ void NodeSystem::addCell(const glm::ivec3& cell, const float* products, const fl
 }
 
 void multiplyData(const NodeSystem& system, double weight, const NodeValues& in, NodeValues& out) {
-  const auto factor = static_cast<float>(weight);
-  for (std::size_t n = 0; n < system.grid.count(); ++n) {
-    float sum[4];
-    multiplyBlocks(system.blocks.data() + 16 * system.first[n], system.neighbour.data() + system.first[n],
-                   system.first[n + 1] - system.first[n], in.data(), sum);
-    for (std::size_t c = 0; c < 4; ++c) out[4 * n + c] = factor * sum[c];
-  }
+  multiplyRows(system, static_cast<float>(weight), in, 0, system.grid.count(), out);
 }
 
-Solution solve(const NodeSystem& system, double dataWeight, const Prior& prior, const NodeValues& right, double tolerance, int atMost) {
+Solution solve(const NodeSystem& system, double dataWeight, const Prior& prior, const NodeValues& right, double tolerance, int atMost,
+               int threads) {
   const std::size_t nodes = system.grid.count();
   EW_EXPECTS(right.size() == 4 * nodes);
+  if (nodes < kWorthThreads) threads = 1;
   Solution solution;
   solution.values.assign(right.size(), 0.0F);
   // A smooth field sees all blocks of a node at once: their sum stands for the data in the preconditioner.
@@ -268,14 +295,22 @@ Solution solve(const NodeSystem& system, double dataWeight, const Prior& prior, 
     return solution;
   }
   if (!(data[3] + prior.brightness > 0.0)) data[3] = 1.0;
-  Preconditioner preconditioner(system.grid, prior, data);
+  const Preconditioner preconditioner(system.grid, prior, data);
   NodeValues residual = right, direction, product(right.size()), stiff, preconditioned;
   const auto multiply = [&](const NodeValues& x) {
-    applyPrior(system.grid, prior, x, stiff);
-    multiplyData(system, dataWeight, x, product);
+    // The prior is one piece, the rows of the data are the others.
+    const std::size_t pieces = threads <= 1 ? 1 : kPieces * static_cast<std::size_t>(threads);
+    inPieces(pieces + 1, threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t piece = first; piece < last; ++piece) {
+        if (piece == 0)
+          applyPrior(system.grid, prior, x, stiff);
+        else
+          multiplyRows(system, static_cast<float>(dataWeight), x, (piece - 1) * nodes / pieces, piece * nodes / pieces, product);
+      }
+    });
     for (std::size_t n = 0; n < stiff.size(); ++n) product[n] += stiff[n];
   };
-  preconditioner.apply(residual, preconditioned);
+  preconditioner.apply(residual, threads, preconditioned);
   direction = preconditioned;
   double rho = dot(residual, preconditioned);
   const double start = rho;
@@ -292,7 +327,7 @@ Solution solve(const NodeSystem& system, double dataWeight, const Prior& prior, 
       solution.values[n] += step * direction[n];
       residual[n] -= step * product[n];
     }
-    preconditioner.apply(residual, preconditioned);
+    preconditioner.apply(residual, threads, preconditioned);
     const double next = dot(residual, preconditioned);
     solution.residual = std::sqrt(std::max(next, 0.0) / start);
     if (solution.residual < tolerance) {

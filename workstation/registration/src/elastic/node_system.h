@@ -52,6 +52,7 @@ struct NodeSystem {
 };
 
 /// weight * system * in.
+/// @param out as many as `in`
 void multiplyData(const NodeSystem& system, double weight, const NodeValues& in, NodeValues& out);
 
 struct Solution {
@@ -63,7 +64,8 @@ struct Solution {
 
 /// Solves (dataWeight * system + prior) x = right by conjugate gradients, preconditioned by the exact inverse of the prior plus the mean
 /// of the data (cosine transforms along the axes).
+/// @param threads of a large system; the solution does not depend on them
 [[nodiscard]] Solution solve(const NodeSystem& system, double dataWeight, const Prior& prior, const NodeValues& right, double tolerance,
-                             int atMost);
+                             int atMost, int threads = 1);
 
 }  // namespace ew::registration
