@@ -74,6 +74,20 @@ TEST(Flow, CarriesThroughAForkWhatGoesOnInItsBranchesAtEveryMoment) {
   EXPECT_GT(waveform->pulsatilityIndex().value_or(0.0), waveform->resistiveIndex());
 }
 
+TEST(Flow, CarriesTheBreathOfWhatItFeedsThroughSeveralForks) {
+  const auto patient = patientWith(R"("streams": [
+      {"name": "trunk", "of": "trunk", "to_mm": [0, 0, -10], "feeds": ["middle"]},
+      {"name": "middle", "of": "trunk", "from_mm": [0, 0, -10], "feeds": ["left", "right"]},
+      {"name": "left", "of": "left branch", "flow_ml_per_min": 240, "breath": 0.3},
+      {"name": "right", "of": "right branch", "flow_ml_per_min": 120, "breath": 0.3}])");
+  ASSERT_TRUE(patient) << patient.error();
+  const FlowTruth truth(flowOf(**patient));
+  for (const double time_s : {0.0, 0.7, 1.4, 3.0})
+    EXPECT_NEAR(truth.flowThrough_mm3PerS(0, 0.0, time_s),
+                truth.flowThrough_mm3PerS(2, 0.0, time_s) + truth.flowThrough_mm3PerS(3, 0.0, time_s), 1e-6);
+  EXPECT_GT(truth.flowThrough_mm3PerS(0, 0.0, 1.4), 1.2 * truth.flowThrough_mm3PerS(0, 0.0, 0.0));
+}
+
 TEST(Flow, RunsFromTheOnePlaceToTheOther) {
   const auto patient = patientWith(R"("streams": [
       {"name": "down", "of": "trunk", "from_mm": [0, 1, -5], "to_mm": [0, 0, -25], "flow_ml_per_min": 300}])");

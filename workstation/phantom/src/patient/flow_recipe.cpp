@@ -374,7 +374,7 @@ void FlowReading::sumOf(StreamRecipe& parent, std::vector<std::size_t>& above) {
   above.push_back(index);
   FlowWave sum{.mean = 0.0};
   double mean_mm3PerS = 0.0;
-  const double breathShare = named(parent.feeds.front()) ? named(parent.feeds.front())->stream.breathShare : 0.0;
+  std::optional<double> breathShare;  // of the first, and so of all
   for (const std::string& name : parent.feeds) {
     StreamRecipe* child = named(name);
     if (!child) return parent.entry.refuse("feeds", verbatim('"' + name + '"'), say<"names of other streams">());
@@ -382,11 +382,12 @@ void FlowReading::sumOf(StreamRecipe& parent, std::vector<std::size_t>& above) {
       return child->entry.refuse("delay_s", say<"left out: \"%1\" feeds this stream, and the wave comes from there">(parent.stream.name));
     sumOf(*child, above);
     if (!flow_.good()) return;
-    if (child->stream.breathShare != breathShare)
+    if (child->stream.breathShare != breathShare.value_or(child->stream.breathShare))
       return child->entry.refuse("breath", say<"the same as in the others that \"%1\" feeds">(parent.stream.name));
     if (const double apart_mm = glm::distance(parent.end_mm(), child->begin_mm()); apart_mm > parent.line.back().w)
       return parent.entry.refuse("feeds", say<"\"%1\", which begins %2 mm from where this stream ends">(name, fixedText(apart_mm, 1)),
                                  say<"streams that begin where it ends">());
+    breathShare = child->stream.breathShare;
     const double flow_mm3PerS = child->towardsRoots ? -child->stream.flow_mm3PerS : child->stream.flow_mm3PerS;
     sum = added(std::move(sum), scaled(child->stream.wave, flow_mm3PerS));
     mean_mm3PerS += flow_mm3PerS;
@@ -395,7 +396,7 @@ void FlowReading::sumOf(StreamRecipe& parent, std::vector<std::size_t>& above) {
   const double unit_mm3PerS = std::abs(mean_mm3PerS) > 1e-9 ? mean_mm3PerS : 1.0;
   parent.stream.flow_mm3PerS = unit_mm3PerS;
   parent.stream.wave = scaled(std::move(sum), 1.0 / unit_mm3PerS);
-  parent.stream.breathShare = breathShare;
+  parent.stream.breathShare = breathShare.value_or(0.0);
   isSummed_[index] = 1;
 }
 
