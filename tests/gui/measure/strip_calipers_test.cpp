@@ -121,7 +121,11 @@ class StripCalipersTest : public WindowFixture {
         best = beats;
       }
     }
-    QVERIFY2(difference(before(first), before(first - best / 6)) > 4.0, "the pulse moves the echoes");
+    // Half a beat earlier the wall may be as wide as it falls; within half a second it is not all the time.
+    double moved = 0.0;
+    for (int n = 0; n < static_cast<int>(0.5 / column_s); ++n)
+      moved = std::max(moved, difference(before(first - n), before(first - n - best / 6)));
+    QVERIFY2(moved > 4.0, "the pulse moves the echoes");
     click(strip(), {before(first), 40});
     click(strip(), {before(first - best), 60});
     QCOMPARE(calipers().lines().size(), std::size_t{1});

@@ -24,6 +24,7 @@ struct VesselPlace : LinePlace {
 
 VesselPlace nearestIn(const VesselLine& vessel, const glm::dvec3& p_mm) {
   VesselPlace nearest;
+  nearest.vessel = &vessel;
   double least = 1e300;
   for (std::size_t n = 0; n + 1 < vessel.nodes.size(); ++n) {
     const LinePlace place = detail::placeOnPiece(vessel, n, p_mm);

@@ -64,7 +64,7 @@ struct Figures {
   std::vector<ViewCorrelation> views;  ///< by motion
 };
 /// What live echoes of one quality gave, against the model.
-struct Compared {
+struct Compared {  // NOLINT(bugprone-exception-escape): JSON is moved without an exception
   Figures own;
   std::vector<double> level_db, shadow_db;
   std::array<std::vector<double>, kEchoBands> band_db;

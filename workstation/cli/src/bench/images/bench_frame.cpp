@@ -32,8 +32,8 @@ constexpr double kPerSigma = 2.354820045030949;  // full width at half maximum o
 enum class Exact { none, field, elevationalMean, lateralMean };
 
 /// One thing to time. `frame` makes the image of a pose; it stays valid until the next call.
-struct FrameSetting {
-  std::string name;  ///< "frame_1024x768_of_256cubed/focus_kernel/1"
+struct FrameSetting {  // NOLINT(bugprone-exception-escape): JSON is moved without an exception
+  std::string name;    ///< "frame_1024x768_of_256cubed/focus_kernel/1"
   std::string group;
   std::string method;
   bool peer = false;

@@ -84,7 +84,7 @@ constexpr WordTable<SeamMethod, 3> kSeamMethodWords{
     {{"feather", SeamMethod::feather}, {"nearest", SeamMethod::nearest}, {"graph_cut", SeamMethod::graphCut}}};
 const char* nameOf(SeamMethod method) { return wordIn(kSeamMethodWords, method); }
 
-struct StitchSetting {
+struct StitchSetting {  // NOLINT(bugprone-exception-escape): JSON is moved without an exception
   std::string name;
   JoinOptions options;
   int block = 0;  ///< 0: whole
