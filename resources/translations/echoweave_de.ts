@@ -12578,6 +12578,154 @@
         <source>The translations &apos;%1&apos; cannot be read (%2 at byte %3); install the program again.</source>
         <translation>Die Übersetzungen „%1“ lassen sich nicht lesen (%2 bei Byte %3); installieren Sie das Programm neu.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot;, which begins %2 mm from where this stream ends</source>
+        <translation>„%1“, das %2 mm von dort beginnt, wo dieser Strom endet</translation>
+    </message>
+    <message>
+        <source>%1 mm from the middle of the tube</source>
+        <translation>%1 mm von der Mitte des Rohrs entfernt</translation>
+    </message>
+    <message>
+        <source>%1 mm from the middle of the vessel</source>
+        <translation>%1 mm von der Mitte des Gefäßes entfernt</translation>
+    </message>
+    <message>
+        <source>0 (everywhere at once) or a number from %1 to 30</source>
+        <translation>0 (überall zugleich) oder eine Zahl von %1 bis 30</translation>
+    </message>
+    <message>
+        <source>a list of at most %1 harmonics</source>
+        <translation>eine Liste von höchstens %1 Harmonischen</translation>
+    </message>
+    <message>
+        <source>a name of its own</source>
+        <translation>ein eigener Name</translation>
+    </message>
+    <message>
+        <source>a place inside of it</source>
+        <translation>eine Stelle in seinem Inneren</translation>
+    </message>
+    <message>
+        <source>a velocity that this flow has in a lumen of 5 to 100 % of the vessel&apos;s diameter</source>
+        <translation>eine Geschwindigkeit, die dieser Fluss in einem Lumen von 5 bis 100 % des Gefäßdurchmessers hat</translation>
+    </message>
+    <message>
+        <source>a wave that on the whole flows nowhere</source>
+        <translation>eine Welle, die im Ganzen nirgendwohin fließt</translation>
+    </message>
+    <message>
+        <source>an amplitude and a phase in degrees</source>
+        <translation>eine Amplitude und eine Phase in Grad</translation>
+    </message>
+    <message>
+        <source>another place than from_mm</source>
+        <translation>eine andere Stelle als from_mm</translation>
+    </message>
+    <message>
+        <source>at most %1 mm: what the diameter loses on one side</source>
+        <translation>höchstens %1 mm: was der Durchmesser auf einer Seite verliert</translation>
+    </message>
+    <message>
+        <source>fewer, or a tree of fewer ends</source>
+        <translation>weniger, oder ein Baum mit weniger Enden</translation>
+    </message>
+    <message>
+        <source>in a recipe whose motion has no breathing</source>
+        <translation>in einem Rezept, dessen Bewegung keine Atmung hat</translation>
+    </message>
+    <message>
+        <source>in a recipe whose motion has no pulse</source>
+        <translation>in einem Rezept, dessen Bewegung keinen Puls hat</translation>
+    </message>
+    <message>
+        <source>left out beside samples, which have their own</source>
+        <translation>neben Abtastwerten weggelassen, die ihren eigenen haben</translation>
+    </message>
+    <message>
+        <source>left out for a tree of vessels</source>
+        <translation>bei einem Gefäßbaum weggelassen</translation>
+    </message>
+    <message>
+        <source>left out for a tube: from_mm and to_mm say which way blood goes</source>
+        <translation>bei einem Rohr weggelassen: from_mm und to_mm sagen, wohin das Blut fließt</translation>
+    </message>
+    <message>
+        <source>left out in a stream that feeds others: it carries what they do</source>
+        <translation>weggelassen bei einem Strom, der andere speist: er führt, was sie führen</translation>
+    </message>
+    <message>
+        <source>left out, or a pulse described under motion</source>
+        <translation>weggelassen, oder ein Puls unter „motion“ beschrieben</translation>
+    </message>
+    <message>
+        <source>left out, or breathing described under motion</source>
+        <translation>weggelassen, oder eine Atmung unter „motion“ beschrieben</translation>
+    </message>
+    <message>
+        <source>left out: &quot;%1&quot; feeds this stream, and the wave comes from there</source>
+        <translation>weggelassen: „%1“ speist diesen Strom, und die Welle kommt von dort</translation>
+    </message>
+    <message>
+        <source>names of other streams</source>
+        <translation>Namen anderer Ströme</translation>
+    </message>
+    <message>
+        <source>one of the two</source>
+        <translation>eines von beiden</translation>
+    </message>
+    <message>
+        <source>one with a mean, or &quot;relative_to&quot;: &quot;peak&quot; for a flow to and fro</source>
+        <translation>eine mit einem Mittelwert, oder „relative_to“: „peak“ für einen Fluss hin und her</translation>
+    </message>
+    <message>
+        <source>shorter, or with a longer stenosis</source>
+        <translation>kürzer, oder mit einer längeren Stenose</translation>
+    </message>
+    <message>
+        <source>so long that blood would leave the vessel</source>
+        <translation>so lang, dass Blut das Gefäß verließe</translation>
+    </message>
+    <message>
+        <source>streams that &quot;%1&quot; does not feed already</source>
+        <translation>Ströme, die „%1“ nicht schon speist</translation>
+    </message>
+    <message>
+        <source>streams that begin where it ends</source>
+        <translation>Ströme, die beginnen, wo er endet</translation>
+    </message>
+    <message>
+        <source>streams that do not feed one another in a circle</source>
+        <translation>Ströme, die einander nicht im Kreis speisen</translation>
+    </message>
+    <message>
+        <source>the name of a shape or organ that is a tube, or a tree of vessels</source>
+        <translation>der Name einer Form oder eines Organs, das ein Rohr oder ein Gefäßbaum ist</translation>
+    </message>
+    <message>
+        <source>the name of one of the waves</source>
+        <translation>der Name einer der Wellen</translation>
+    </message>
+    <message>
+        <source>the same as in the others that &quot;%1&quot; feeds</source>
+        <translation>dasselbe wie in den anderen, die „%1“ speist</translation>
+    </message>
+    <message>
+        <source>with both samples and harmonics</source>
+        <translation>mit Abtastwerten und Harmonischen zugleich</translation>
+    </message>
+    <message>
+        <source>with the streams before it too long to follow in steps of %1 mm</source>
+        <translation>mit den Strömen davor zu lang, um in Schritten von %1 mm verfolgt zu werden</translation>
+    </message>
+    <message>
+        <source>with those before it more than %1 vessels</source>
+        <translation>mit denen davor mehr als %1 Gefäße</translation>
+    </message>
+    <message>
+        <source>without samples or harmonics</source>
+        <translation>ohne Abtastwerte und ohne Harmonische</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
