@@ -58,7 +58,8 @@ std::string plansOf(const Case& opened, const std::vector<Probe>& probes) {
     if (probe == probes.end()) continue;
     for (const Setting& setting : settings())
       text << id << ", " << setting.name << "\n  "
-           << makePlan(*probe, setting.knobs, scene, fitDisplay(*probe, setting.knobs, 1024, 768), grid, true, setting.isLifted) << "\n";
+           << makePlan(*probe, setting.knobs, scene, fitDisplay(*probe, setting.knobs, 1024, 768), grid, {.labels = true}, setting.isLifted)
+           << "\n";
   }
   return text.str();
 }

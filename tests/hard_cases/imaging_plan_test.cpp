@@ -116,7 +116,7 @@ TEST(HardPlan, VolumesOfOneVoxelOrNoneAndLabelsElsewhereRunEveryEffect) {
   scene.tissues = {{7, "stone", 8.0, 25.0}};
   for (const SliceSource& echo : {SliceSource(one.view()), SliceSource(far.view()), SliceSource()}) {
     FrameMaker maker;
-    maker.configure(convexProbe(), {}, scene, echo.grid, 60, 50, true);
+    maker.configure(convexProbe(), {}, scene, echo.grid, 60, 50, {.labels = true});
     FrameInput input;
     input.echo = echo;
     input.labels = far.view();

@@ -47,7 +47,7 @@ struct Lines {
 
 Lines linesOf(const TissueMaps& maps, const Shot& shot, const glm::dmat4& probeToWorld = glm::dmat4(1.0)) {
   FrameMaker maker(shot.threads);
-  maker.configure(shot.probe, shot.knobs, shot.scene, maps.grid, 64, 64, shot.labels != nullptr, {}, true);
+  maker.configure(shot.probe, shot.knobs, shot.scene, maps.grid, 64, 64, {.labels = shot.labels != nullptr, .tissue = true});
   FrameInput input = inputOf(maps);
   if (shot.labels != nullptr) input.labels = shot.labels->view();
   input.pose.probeToWorld.matrix = probeToWorld;

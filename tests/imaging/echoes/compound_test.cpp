@@ -148,7 +148,7 @@ TEST(Compounding, IsTheSamePixelsOnEveryTargetAndWithAnyNumberOfThreads) {
 TEST(Compounding, IsInThePlanWhereItActsAndNowhereElse) {
   const auto planOf = [](const Probe& probe, const Knobs& knobs, bool hasTissue = true, bool isRecorded = false) {
     const DisplayGeometry geometry = fitDisplay(probe, knobs, 640, 480, {});
-    return makePlan(probe, knobs, plainScene(), geometry, Grid{}, false, false, hasTissue, isRecorded);
+    return makePlan(probe, knobs, plainScene(), geometry, Grid{}, {.tissue = hasTissue, .recorded = isRecorded});
   };
   Knobs three;
   three.compoundAngles = 3;
@@ -199,7 +199,7 @@ TEST(Compounding, ForgetsTheOtherDirectionsWhenItIsSwitchedOff) {
   const auto made = [&](int angles) {
     Knobs knobs;
     knobs.compoundAngles = angles;
-    maker.configure(once.probe, knobs, once.scene, maps.grid, 320, 256, false, {}, true);
+    maker.configure(once.probe, knobs, once.scene, maps.grid, 320, 256, {.tissue = true});
     const DisplayImage image = maker.make(input);
     return std::vector<std::uint8_t>(image.grey.data, image.grey.data + 320 * 256);
   };
@@ -220,7 +220,7 @@ TEST(Steering, OfALinearProbeSeesOtherSpeckleAsAnotherApertureDoes) {
     FrameMaker maker(1);
     Knobs knobs = shot.knobs;
     knobs.greyMap = GreyMap::linear;
-    maker.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, false, {}, true);
+    maker.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, {.tissue = true});
     const FrameInput input = inputOf(maps);
     (void)maker.make(input);
     // At the same places of the tissue.
@@ -312,7 +312,7 @@ TEST(Harmonics, DoNotActOnARecordedVolume) {
   const auto made = [&](bool isHarmonic) {
     Knobs knobs;
     knobs.harmonic = isHarmonic;
-    maker.configure(testing::live::convex(), knobs, plainScene(), maps.grid, 320, 256, false, {}, true, true);
+    maker.configure(testing::live::convex(), knobs, plainScene(), maps.grid, 320, 256, {.tissue = true, .recorded = true});
     const DisplayImage image = maker.make(input);
     return std::vector<std::uint8_t>(image.grey.data, image.grey.data + 320 * 256);
   };

@@ -88,7 +88,7 @@ TEST(EchoQuality, IsMoreWorkFromFastToFineWithEveryProbe) {
       EXPECT_GT(work.samples, 1.1 * last.samples);
       EXPECT_EQ(work.lines, probe.lines);
       EXPECT_EQ(work.looks, LiveEchoesEffect{}.looks);
-      const Plan plan = makePlan(probe, knobs, liveScene(), fitDisplay(probe, knobs, 320, 240, {}), Grid{}, false, false, true);
+      const Plan plan = makePlan(probe, knobs, liveScene(), fitDisplay(probe, knobs, 320, 240, {}), Grid{}, {.tissue = true});
       double estimate_us = 0.0;
       for (const Step& step : plan.steps) estimate_us += step.estimated_us;
       EXPECT_GT(estimate_us, lastEstimate_us) << "the plan's estimate follows";
@@ -127,7 +127,7 @@ std::vector<double> levelsOf(const TissueMaps& maps, const Scene& scene, Quality
   Knobs knobs;
   knobs.quality = quality;
   knobs.greyMap = GreyMap::linear;
-  maker.configure(probeOf(ProbeKind::linear), knobs, scene, maps.grid, 200, 200, false, {}, true);
+  maker.configure(probeOf(ProbeKind::linear), knobs, scene, maps.grid, 200, 200, {.tissue = true});
   const DisplayImage image = maker.make(inputOf(maps));
   std::vector<double> levels;
   for (int y = 40; y < 160; ++y)
@@ -195,7 +195,7 @@ TEST(EchoQuality, LosesAsMuchAtEveryPrice) {
     Knobs knobs;
     knobs.quality = quality;
     knobs.greyMap = GreyMap::linear;
-    maker.configure(probeOf(ProbeKind::linear), knobs, scene, maps.grid, 200, 200, true, {}, true);
+    maker.configure(probeOf(ProbeKind::linear), knobs, scene, maps.grid, 200, 200, {.labels = true, .tissue = true});
     FrameInput input = inputOf(maps);
     input.labels = labels.view();
     const DisplayImage image = maker.make(input);
@@ -215,7 +215,7 @@ TEST(EchoQuality, ShowsTheLevelsOnBeamsThatTheImageIsMadeOf) {
   FrameMaker maker;
   const Probe probe = probeOf(ProbeKind::linear);
   EXPECT_TRUE(maker.beamGrid().lines.empty());
-  maker.configure(probe, {}, liveScene(), maps.grid, 64, 64, false, {}, true);
+  maker.configure(probe, {}, liveScene(), maps.grid, 64, 64, {.tissue = true});
   const DisplayImage image = maker.make(inputOf(maps));
   ASSERT_EQ(maker.beamLevels().width, probe.lines);
   ASSERT_EQ(maker.beamLevels().height, maker.beamGrid().samples);

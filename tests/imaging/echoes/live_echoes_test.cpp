@@ -85,7 +85,7 @@ class KeepingMaker {
   GreyImage imageOf(const TissueMaps& maps, std::uint64_t version, const Shot& shot) {
     Knobs knobs = shot.knobs;
     knobs.greyMap = GreyMap::linear;
-    maker_.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, false, {}, true);
+    maker_.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, {.tissue = true});
     FrameInput input = inputOf(maps);
     input.tissueVersion = version;
     input.pose.probeToWorld.matrix = shot.probeToWorld;
@@ -487,12 +487,13 @@ TEST(LiveEchoes, CostASceneNothingThatDoesNotAskForThem) {
   grid.dims = glm::ivec3(100);
   scene.liveEchoes.reset();
   EXPECT_FALSE(formsEchoes(scene));
-  EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, true, false, true), makePlan(probe, knobs, scene, geometry, grid, true));
-  const Plan recorded = makePlan(probe, knobs, scene, geometry, grid, true);
+  EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, {.labels = true, .tissue = true}),
+            makePlan(probe, knobs, scene, geometry, grid, {.labels = true}));
+  const Plan recorded = makePlan(probe, knobs, scene, geometry, grid, {.labels = true});
   scene.liveEchoes = LiveEchoesEffect{};
   // Nor one whose tissue nobody knows.
-  EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, true, false, false), recorded);
-  EXPECT_NE(makePlan(probe, knobs, scene, geometry, grid, true, false, true), recorded);
+  EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, {.labels = true}), recorded);
+  EXPECT_NE(makePlan(probe, knobs, scene, geometry, grid, {.labels = true, .tissue = true}), recorded);
 }
 
 /// A recorded volume beside maps made of it, seen with a curve that shows decibels as they are.
@@ -500,7 +501,7 @@ GreyImage imageOfRecorded(const Volume& volume, const TissueMaps& maps, double o
   FrameMaker maker(shot.threads);
   Scene scene = shot.scene;
   if (scene.liveEchoes) scene.liveEchoes->ownGrain = ownGrain;
-  maker.configure(shot.probe, shot.knobs, scene, volume.grid, 640, 512, false, {}, true, maps.isRecorded);
+  maker.configure(shot.probe, shot.knobs, scene, volume.grid, 640, 512, {.tissue = true, .recorded = maps.isRecorded});
   FrameInput input;
   input.tissue = &maps;
   input.tissueGrid = maps.grid;
@@ -578,15 +579,15 @@ TEST(LiveEchoes, TakeUpAVolumesOwnGrainOnlyWhereThereIsARecording) {
   Grid grid;
   grid.dims = glm::ivec3(100);
   const auto keeps = [&](bool isRecorded) {
-    const Plan plan = makePlan(probe, knobs, scene, geometry, grid, true, false, true, isRecorded);
+    const Plan plan = makePlan(probe, knobs, scene, geometry, grid, {.labels = true, .tissue = true, .recorded = isRecorded});
     return std::any_of(plan.steps.begin(), plan.steps.end(), [](const Step& step) { return step.kind == StepKind::ownGrain; });
   };
   EXPECT_TRUE(keeps(true));
   EXPECT_FALSE(keeps(false));
   scene.liveEchoes->ownGrain = 0.0;
   EXPECT_FALSE(keeps(true));
-  EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, true, false, true, true),
-            makePlan(probe, knobs, scene, geometry, grid, true, false, true));
+  EXPECT_EQ(makePlan(probe, knobs, scene, geometry, grid, {.labels = true, .tissue = true, .recorded = true}),
+            makePlan(probe, knobs, scene, geometry, grid, {.labels = true, .tissue = true}));
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ GreyImage imageOf(const Body& body, const Shot& shot) {
   FrameMaker maker(shot.threads);
   Knobs knobs;
   knobs.greyMap = GreyMap::linear;
-  maker.configure(probeOfTest(), knobs, shot.scene, body.maps.grid, kWidth, kHeight, true, {}, true);
+  maker.configure(probeOfTest(), knobs, shot.scene, body.maps.grid, kWidth, kHeight, {.labels = true, .tissue = true});
   const Transform<frame::World, frame::World> placing{shot.ownToWorld};
   FrameInput input;
   input.tissue = &body.maps;

@@ -223,7 +223,7 @@ GreyImage stripOfABeat(bool hasPulse) {
   knobs.mode = DisplayMode::mMode;
   knobs.mSweep_s = kBeat_s * kColumns / kBeams;
   FrameMaker maker;
-  maker.configure(testing::smallConvex(0.3, 48, kDepth_mm), knobs, scene, maps.grid, kColumns, kRows, false, {}, true);
+  maker.configure(testing::smallConvex(0.3, 48, kDepth_mm), knobs, scene, maps.grid, kColumns, kRows, {.tissue = true});
   FrameInput input;
   input.tissue = &maps;
   input.tissueGrid = maps.grid;

@@ -33,7 +33,7 @@ struct Setting {
 
 Plan planOf(const Setting& s) {
   const Grid grid{{100, 100, 100}, glm::dvec3(s.voxel_mm)};
-  return makePlan(s.probe, s.knobs, s.scene, fitDisplay(s.probe, s.knobs, 400, 400), grid, s.hasLabels, s.hasGaps);
+  return makePlan(s.probe, s.knobs, s.scene, fitDisplay(s.probe, s.knobs, 400, 400), grid, {.labels = s.hasLabels}, s.hasGaps);
 }
 
 std::string printed(const Setting& setting) {

@@ -122,10 +122,10 @@ GreyImage imageOf(const Probe& probe, const Knobs& knobs, const Scene& scene, co
 TEST(WholeFrame, RunsEveryStepAndTimesIt) {
   const Body body;
   FrameMaker maker;
-  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 240, 220, true);
-  EXPECT_EQ(maker.plan(), makePlan(convexProbe(), everyKnob(), everyEffect(), maker.geometry(), body.echo.grid, true, false));
+  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 240, 220, {.labels = true});
+  EXPECT_EQ(maker.plan(), makePlan(convexProbe(), everyKnob(), everyEffect(), maker.geometry(), body.echo.grid, {.labels = true}));
   maker.make(body.input(poseAt({0, -58, 0})));
-  EXPECT_EQ(maker.plan(), makePlan(convexProbe(), everyKnob(), everyEffect(), maker.geometry(), body.echo.grid, true, true));
+  EXPECT_EQ(maker.plan(), makePlan(convexProbe(), everyKnob(), everyEffect(), maker.geometry(), body.echo.grid, {.labels = true}, true));
   EXPECT_EQ(maker.plan().steps.size(), 13U);
   ASSERT_EQ(maker.lastTimes().size(), maker.plan().steps.size());
   for (std::size_t n = 0; n < maker.lastTimes().size(); ++n) {
@@ -138,7 +138,7 @@ TEST(WholeFrame, EveryEffectChangesTheImage) {
   const Body body;
   const auto imageWith = [&](const Knobs& knobs, const Scene& scene) {
     FrameMaker maker;
-    maker.configure(convexProbe(), knobs, scene, body.echo.grid, 240, 220, true);
+    maker.configure(convexProbe(), knobs, scene, body.echo.grid, 240, 220, {.labels = true});
     for (int n = 0; n < 3; ++n) maker.make(body.input(poseAt({3.0 * n, -58, 0}), n));
     return copyOf(maker.make(body.input(poseAt({9.0, -58, 0}), 3)).grey);
   };
@@ -179,7 +179,8 @@ TEST(WholeFrame, IsTheSameOnOneTwoAndEightThreads) {
         knobs.zoom = zoom;
         const Scene scene = onBeams ? everyEffect() : Scene{};
         FrameMaker one(1), two(2), eight(8);
-        for (FrameMaker* maker : {&one, &two, &eight}) maker->configure(convexProbe(), knobs, scene, body.echo.grid, 240, 220, true);
+        for (FrameMaker* maker : {&one, &two, &eight})
+          maker->configure(convexProbe(), knobs, scene, body.echo.grid, 240, 220, {.labels = true});
         for (int n = 0; n < 4; ++n) {
           const FrameInput input = body.input(poseAt({2.0 * n, -58, 1}, 0.3 * n), n);
           const GreyImage expected = copyOf(one.make(input).grey);
@@ -203,7 +204,7 @@ TEST(WholeFrame, AllocatesNothingOnceWarm) {
       const Scene scene = everyEffect();
       const Probe probe = convexProbe();
       FrameMaker maker(threads);
-      maker.configure(probe, knobs, scene, body.echo.grid, 160, 140, true);
+      maker.configure(probe, knobs, scene, body.echo.grid, 160, 140, {.labels = true});
       FrameInput touching = body.input({});
       touching.gaps_mm = {};
       const auto makeFrames = [&] {
@@ -223,7 +224,7 @@ TEST(WholeFrame, AllocatesNothingOnceWarm) {
       for (int round = 0; round < (threads == 1 ? 1 : 20); ++round) {
         const std::size_t before = testing::allocationCount();
         makeFrames();
-        maker.configure(probe, knobs, scene, body.echo.grid, 160, 140, true);
+        maker.configure(probe, knobs, scene, body.echo.grid, 160, 140, {.labels = true});
         allocations = testing::allocationCount() - before;
         if (allocations == 0) break;
       }
@@ -234,7 +235,7 @@ TEST(WholeFrame, AllocatesNothingOnceWarm) {
 TEST(WholeFrame, AllocatesNothingWhenTheWarmProbeIsFirstLifted) {
   const Body body;
   FrameMaker maker;
-  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 160, 140, true);
+  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 160, 140, {.labels = true});
   const FrameInput offSkin = body.input(poseAt({0, -55, 0}), 9);
   FrameInput touching = body.input(poseAt({0, -55, 0}));
   touching.gaps_mm = {};
@@ -409,7 +410,7 @@ TEST(WholeFrame, ShadowsLieAlongTheBeamsOfThePresentView) {
 TEST(WholeFrame, OfAPoseThatCannotBeUsedIsBlackWithEveryEffectOn) {
   const Body body;
   FrameMaker maker;
-  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 120, 110, true);
+  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 120, 110, {.labels = true});
   const auto sum = [&](const Pose& pose) {
     maker.make(body.input(poseAt({0, -55, 0})));
     const auto image = maker.make(body.input(pose)).grey;
@@ -432,7 +433,7 @@ TEST(WholeFrame, OfAPoseThatCannotBeUsedIsBlackWithEveryEffectOn) {
 TEST(WholeFrame, SurvivesGapsTimesAndVolumesThatAreNone) {
   const Body body;
   FrameMaker maker;
-  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 120, 110, true);
+  maker.configure(convexProbe(), everyKnob(), everyEffect(), body.echo.grid, 120, 110, {.labels = true});
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
   const std::vector<float> gaps{kNan, kInf, -kInf, 1e30F, 0.0F};
   const std::vector<float> oneGap{20.0F};
@@ -457,7 +458,7 @@ TEST(WholeFrame, GoesByGreyLevelWhereAFrameComesWithoutItsLabels) {
   scene.tissues = {{.label = 0, .name = "outside", .attenuation_dbPerCmMhz = 5.0},
                    {.label = 1, .name = "tissue", .attenuation_dbPerCmMhz = 5.0}};
   FrameMaker maker, byGrey;
-  maker.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, true);
+  maker.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, {.labels = true});
   byGrey.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, false);
   FrameInput input = body.input(poseAt({0, -55, 0}));
   const GreyImage byTissue = copyOf(maker.make(input).grey);

@@ -84,7 +84,7 @@ inline GreyImage imageOf(const TissueMaps& maps, const Shot& shot) {
   FrameMaker maker(shot.threads);
   Knobs knobs = shot.knobs;
   knobs.greyMap = GreyMap::linear;
-  maker.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, shot.labels != nullptr, {}, true);
+  maker.configure(shot.probe, knobs, shot.scene, maps.grid, 640, 512, {.labels = shot.labels != nullptr, .tissue = true});
   FrameInput input = inputOf(maps);
   if (shot.labels != nullptr) input.labels = shot.labels->view();
   input.pose.probeToWorld.matrix = shot.probeToWorld;

@@ -79,8 +79,11 @@ void Scanner::prepare(const ScanState& state, int width_px, int height_px) {
     joined.tissues = subject_->scene.tissues;
     scene = &joined;
   }
-  maker_.configure(state.probe, state.knobs, *scene, subject_->placedGrid, width_px, height_px, subject_->labels != nullptr, state.pan,
-                   subject_->tissue != nullptr, subject_->tissue != nullptr && subject_->tissue->isRecorded);
+  const FrameParts parts{.labels = subject_->labels != nullptr,
+                         .tissue = subject_->tissue != nullptr,
+                         .recorded = subject_->tissue != nullptr && subject_->tissue->isRecorded,
+                         .flow = subject_->flow != nullptr};
+  maker_.configure(state.probe, state.knobs, *scene, subject_->placedGrid, width_px, height_px, parts, state.pan);
 }
 
 DisplayImage Scanner::make(const ScanState& state, int width_px, int height_px) {
@@ -104,6 +107,7 @@ DisplayImage Scanner::make(const ScanState& state, int width_px, int height_px) 
     input.tissueGrid = subject_->placedTissue;
     input.motion = subject_->motion.get();
     input.body = state.body;
+    input.flow = subject_->flow.get();
   }
   input.pose = state.pose;
   input.gaps_mm = state.gaps_mm;

@@ -36,8 +36,8 @@ LiveEchoesEffect qualityOf(const LiveEchoesEffect& asked, Quality quality) {
 EchoWork echoWorkOf(const Probe& probe, const Knobs& knobs, const Scene& scene, double depth_mm) {
   EW_EXPECTS(scene.liveEchoes.has_value() && depth_mm > 0.0);
   const Knobs asked = limited(knobs);
-  const Scene known = detail::knownScene(limited(scene), true, false, asked);
-  return detail::knownEchoWork(probe, detail::knownKnobs(asked, probe, known), known, depth_mm);
+  const Scene known = detail::knownScene(limited(scene), {.tissue = true}, asked);
+  return detail::knownEchoWork(probe, detail::knownKnobs(asked, probe, known, {.tissue = true}), known, depth_mm);
 }
 
 namespace detail {

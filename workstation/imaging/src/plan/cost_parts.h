@@ -68,7 +68,8 @@ struct CostBench {
   template <class Seen>
   double time_ms(const Knobs& knobs, Progress& progress, const Seen& seen) const {
     FrameMaker maker(options.threads);
-    maker.configure(probe, knobs, scene, subject.echo.grid, width, height, !subject.labels.empty(), {}, subject.tissue != nullptr);
+    maker.configure(probe, knobs, scene, subject.echo.grid, width, height,
+                    {.labels = !subject.labels.empty(), .tissue = subject.tissue != nullptr});
     std::vector<double> times_ms;
     for (const Pose& pose : poses) {
       FrameInput input = subject;

@@ -26,9 +26,7 @@ struct Asked {
   Grid grid;
   int width = 0;
   int height = 0;
-  bool hasLabels = false;
-  bool hasTissue = false;
-  bool isRecorded = false;
+  FrameParts parts;
   Pan pan;
   bool operator==(const Asked&) const = default;
 };
@@ -43,8 +41,8 @@ void blacken(GreyImage& image) { std::fill(image.pixels.begin(), image.pixels.en
 struct FrameMaker::Parts {
   explicit Parts(int threads) : bands_(threads), scratch_(static_cast<std::size_t>(bands_.threads())) {}
 
-  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height, bool hasLabels,
-                 const Pan& pan, bool hasTissue, bool isRecorded);
+  void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
+                 const FrameParts& parts, const Pan& pan);
   ImageView<const std::uint8_t> make(const FrameInput& input);
   [[nodiscard]] const BeamGrid& beamGrid() const { return beams_.grid(); }
   [[nodiscard]] const BeamImage& beamLevels() const { return beams_.levels(); }
@@ -99,8 +97,8 @@ FrameMaker::~FrameMaker() = default;
 FrameMaker::FrameMaker(FrameMaker&&) noexcept = default;
 FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
 void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                           bool hasLabels, const Pan& pan, bool hasTissue, bool isRecorded) {
-  parts_->configure(probe, knobs, scene, grid, width, height, hasLabels, pan, hasTissue, isRecorded);
+                           const FrameParts& parts, const Pan& pan) {
+  parts_->configure(probe, knobs, scene, grid, width, height, parts, pan);
 }
 DisplayImage FrameMaker::make(const FrameInput& input) { return {parts_->make(input)}; }
 DisplayImage FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
@@ -145,17 +143,16 @@ const BeamImage& FrameMaker::beamLevels() const {
 }
 
 void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                                  bool hasLabels, const Pan& pan, bool hasTissue, bool isRecorded) {
+                                  const FrameParts& parts, const Pan& pan) {
   EW_EXPECTS(width >= 1 && height >= 1);
   const auto isAsked = [&](const Asked& last) {
-    return last.width == width && last.height == height && last.hasLabels == hasLabels && last.hasTissue == hasTissue &&
-           last.isRecorded == isRecorded && last.knobs == knobs && last.probe == probe && last.scene == scene && last.grid == grid &&
-           last.pan == pan;
+    return last.width == width && last.height == height && last.parts == parts && last.knobs == knobs && last.probe == probe &&
+           last.scene == scene && last.grid == grid && last.pan == pan;
   };
   if (asked_ && isAsked(*asked_)) return;
-  asked_ = Asked{probe, knobs, scene, grid, width, height, hasLabels, hasTissue, isRecorded, pan};
-  scene_ = detail::knownScene(limited(scene), hasTissue, isRecorded, limited(knobs));
-  knobs_ = detail::knownKnobs(limited(knobs), probe, scene_);
+  asked_ = Asked{probe, knobs, scene, grid, width, height, parts, pan};
+  scene_ = detail::knownScene(limited(scene), parts, limited(knobs));
+  knobs_ = detail::knownKnobs(limited(knobs), probe, scene_, parts);
   if (knobs_.persistence == 0.0) persistence_.empty = true;
 
   geometry_ = fitDisplay(probe, knobs_, width, height, pan);
@@ -174,8 +171,8 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   const double spacing_mm =
       formsEchoes(scene_) ? detail::liveSpacing_mm(probe, knobs_, scene_, geometry_.depth_mm) : detail::beamSpacing_mm(geometry_, grid);
   const detail::FrameSize size = detail::frameSizeOf(probe, geometry_, spacing_mm, spans_);
-  touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, false);
-  lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, hasLabels, true);
+  touching_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, parts.labels, false);
+  lifted_ = detail::planOf(probe, knobs_, scene_, geometry_, grid, size, parts.labels, true);
   plan_ = touching_;
   plan_.steps.reserve(lifted_.steps.size());
   times_.reserve(lifted_.steps.size());
@@ -299,6 +296,8 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
       return beams_.convert(bands_, viewOf(sampled_));
     case StepKind::edges:
       return sharpen();
+    case StepKind::colour:
+      return;
     case StepKind::persistence:
       beginPersistence(image_->width, image_->height, persistence_);
       return bands_.run(image_->height, [this](int firstRow, int count, int) {
@@ -367,6 +366,7 @@ void FrameMaker::Parts::runOnBeams(StepKind kind, const FrameInput& input, detai
     case StepKind::edges:
     case StepKind::persistence:
     case StepKind::table:
+    case StepKind::colour:
       EW_EXPECTS(false);  // of the image, not of lines
   }
 }

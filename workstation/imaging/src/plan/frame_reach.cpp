@@ -84,9 +84,9 @@ class LookReach {
 }  // namespace
 
 std::vector<Capsule> reachOfFrame(const Probe& probe, const Knobs& asked, const Scene& askedScene) {
-  const Scene scene = detail::knownScene(limited(askedScene), true, false, limited(asked));
+  const Scene scene = detail::knownScene(limited(askedScene), {.tissue = true}, limited(asked));
   if (!formsEchoes(scene)) return {};
-  const Knobs knobs = detail::withCarrierOf(probe, detail::knownKnobs(limited(asked), probe, scene));
+  const Knobs knobs = detail::withCarrierOf(probe, detail::knownKnobs(limited(asked), probe, scene, {.tissue = true}));
   const double depth_mm = resolvedDepth_mm(probe, knobs);
   const double spacing_mm = detail::liveSpacing_mm(probe, knobs, scene, depth_mm);
   const detail::EchoBeams beams = detail::echoBeamsOf(probe, knobs, scene, depth_mm);

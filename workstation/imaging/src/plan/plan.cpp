@@ -50,6 +50,7 @@ constexpr StepInfo kSteps[] = {
     {StepKind::edges, "edges", EW_TRANSLATE_NOOP("ew::StepKind", "edges"), 0.45, 0.0},
     {StepKind::persistence, "persistence", EW_TRANSLATE_NOOP("ew::StepKind", "persistence"), 0.4, 0.0},
     {StepKind::table, "grey table", EW_TRANSLATE_NOOP("ew::StepKind", "table"), 0.06, 0.0},
+    {StepKind::colour, "colour", EW_TRANSLATE_NOOP("ew::StepKind", "colour"), 0.0, 0.0},
 };
 
 // Harmonics lie this far below the echoes of what was sent, and the machine's gain lifts both (Averkiou, Roundhill & Powers 1997: 10 to
@@ -115,26 +116,26 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan) {
   return out;
 }
 
-Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid, bool hasLabels,
-              bool hasGaps, bool hasTissue, bool isRecorded) {
+Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
+              const FrameParts& parts, bool hasGaps) {
   const Knobs asked = limited(knobs);
-  const Scene limitedScene = detail::knownScene(limited(scene), hasTissue, isRecorded, asked);
-  const Knobs usable = detail::knownKnobs(asked, probe, limitedScene);
+  const Scene limitedScene = detail::knownScene(limited(scene), parts, asked);
+  const Knobs usable = detail::knownKnobs(asked, probe, limitedScene, parts);
   const double spacing_mm = formsEchoes(limitedScene) ? detail::liveSpacing_mm(probe, usable, limitedScene, geometry.depth_mm)
                                                       : detail::beamSpacing_mm(geometry, grid);
   return detail::planOf(probe, usable, limitedScene, geometry, grid,
-                        detail::frameSizeOf(probe, geometry, spacing_mm, fanSpans(probe, usable, geometry)), hasLabels, hasGaps);
+                        detail::frameSizeOf(probe, geometry, spacing_mm, fanSpans(probe, usable, geometry)), parts.labels, hasGaps);
 }
 
 namespace detail {
 
-Scene knownScene(Scene scene, bool hasTissue, bool isRecorded, const Knobs& knobs) {
-  if (!hasTissue) scene.liveEchoes.reset();
+Scene knownScene(Scene scene, const FrameParts& parts, const Knobs& knobs) {
+  if (!parts.tissue) scene.liveEchoes.reset();
   if (!scene.liveEchoes) return scene;
   LiveEchoesEffect& echoes = *scene.liveEchoes;
   echoes = qualityOf(echoes, knobs.quality);
-  if (!isRecorded) echoes.ownGrain = 0.0;
-  if (isRecorded) {
+  if (!parts.recorded) echoes.ownGrain = 0.0;
+  if (parts.recorded) {
     echoes.fragmentsPerCm3 = echoes.texture_db = 0.0;
     echoes.gain_db -= LiveEchoesEffect{}.gain_db - kLevelGain_db;
   }
@@ -147,7 +148,8 @@ Scene knownScene(Scene scene, bool hasTissue, bool isRecorded, const Knobs& knob
   return scene;
 }
 
-Knobs knownKnobs(Knobs knobs, const Probe& probe, const Scene& scene) {
+Knobs knownKnobs(Knobs knobs, const Probe& probe, const Scene& scene, const FrameParts& parts) {
+  if (!parts.flow || !parts.tissue) knobs.colour.reset();
   const bool isAnew = formsEchoes(scene) && !keepsOwnGrain(scene);
   if (!isAnew) knobs.harmonic = false;
   const bool fansOut = probe.kind == ProbeKind::linear && knobs.trapezoid && probe.trapezoidHalfAngle_rad > 0.0;

@@ -22,11 +22,11 @@ struct FrameSize {
 /// The scene without what cannot be done for want of tissue maps, or of a recorded volume's grain; and without the little walls and the
 /// texture of drawn tissue where tissue was recorded, which has its own, as it has the brightness of its machine. Live echoes are as good
 /// as the knobs ask; of harmonics, less reaches the side lobes and all of them are nearer to the noise.
-[[nodiscard]] Scene knownScene(Scene scene, bool hasTissue, bool isRecorded, const Knobs& knobs);
+[[nodiscard]] Scene knownScene(Scene scene, const FrameParts& parts, const Knobs& knobs);
 /// The knobs without what this scene cannot do: harmonics and compounding are of echoes formed anew, compounding of linear and convex
-/// probes that send parallel or radial lines, and not of the fast quality.
+/// probes that send parallel or radial lines, and not of the fast quality; colour is of blood that is known.
 /// @param scene as knownScene gave it
-[[nodiscard]] Knobs knownKnobs(Knobs knobs, const Probe& probe, const Scene& scene);
+[[nodiscard]] Knobs knownKnobs(Knobs knobs, const Probe& probe, const Scene& scene, const FrameParts& parts);
 /// Whether live echoes take up the grain of the recorded volume.
 [[nodiscard]] inline bool keepsOwnGrain(const Scene& scene) { return scene.liveEchoes && scene.liveEchoes->ownGrain > 0.0; }
 /// Sample distance of live echoes, mm: as their pulse asks for.

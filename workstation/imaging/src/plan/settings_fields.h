@@ -22,6 +22,13 @@ inline constexpr WordTable<GreyMap, 6> kGreyMapWords{{{"automatic", GreyMap::aut
                                                       {"clinical", GreyMap::clinical}}};
 inline constexpr WordTable<DisplayMode, 3> kModeWords{{{"b", DisplayMode::bMode}, {"m", DisplayMode::mMode}, {"both", DisplayMode::both}}};
 
+inline constexpr WordTable<ColourShows, 4> kColourShowsWords{{{"velocity", ColourShows::velocity},
+                                                              {"variance", ColourShows::variance},
+                                                              {"power", ColourShows::power},
+                                                              {"directional_power", ColourShows::directionalPower}}};
+inline constexpr WordTable<WallFilterSetting, 3> kWallFilterWords{
+    {{"low", WallFilterSetting::low}, {"medium", WallFilterSetting::medium}, {"high", WallFilterSetting::high}}};
+
 inline constexpr double kLargestSteering_deg = 60.0;  // probes allow less
 
 /// What a number of a setting is, in words that are only made for those who ask.
@@ -29,6 +36,28 @@ using Meaning = Message (*)();
 
 // Every field of a setting once: its key in files, where it is kept, and what it may be. Reading, writing and limiting are visitors of
 // these lists, so that they cannot disagree.
+
+template <class Visitor>
+void visitFields(Visitor& field, const ColourDoppler*) {
+  field.choice("shows", &ColourDoppler::shows, kColourShowsWords);
+  field.number("box_middle", &ColourDoppler::boxMiddle, -1.0, 1.0, say<"the face's -x end to its +x end">);
+  field.number("box_width", &ColourDoppler::boxWidth, 0.1, 1.0, say<"share of the face">);
+  field.number("box_middle_mm", &ColourDoppler::boxMiddle_mm, 0.0, 1000.0, say<"0 for half of the depth">);
+  field.number("box_height_mm", &ColourDoppler::boxHeight_mm, 0.0, 1000.0, say<"0 for two fifths of the depth">);
+  field.angle("steering_deg", &ColourDoppler::steering_rad, -20.0, 20.0);
+  field.numberOrZero("carrier_hz", &ColourDoppler::carrier_hz, 1e6, 2e7, say<"two thirds of the image's">);
+  field.number("prf_hz", &ColourDoppler::prf_hz, 100.0, 20000.0, say<"pulses a second">);
+  field.count("packet", &ColourDoppler::packet, 2, kMostPacket);
+  field.choice("wall_filter", &ColourDoppler::wallFilter, kWallFilterWords);
+  field.number("baseline", &ColourDoppler::baseline, -0.9, 0.9, say<"of the range; 0 is neutral">);
+  field.number("gain_db", &ColourDoppler::gain_db, -30.0, 30.0, say<"decibels; 0 is neutral">);
+  field.number("priority", &ColourDoppler::priority, 0.0, 1.0, say<"of white: brighter echoes stay grey">);
+  field.number("reject", &ColourDoppler::reject, 0.0, 0.5, say<"of the Nyquist velocity: slower blood has no colour">);
+  field.number("persistence", &ColourDoppler::persistence, 0.0, 0.95, say<"0 is neutral">);
+  field.count("every_line", &ColourDoppler::everyLine, 1, 4);
+  field.count("smoothing", &ColourDoppler::smoothing, 0, 3);
+  field.flag("invert", &ColourDoppler::invert);
+}
 
 template <class Visitor>
 void visitFields(Visitor& field, const Knobs*) {
@@ -55,6 +84,7 @@ void visitFields(Visitor& field, const Knobs*) {
   field.choice("mode", &Knobs::mode, kModeWords);
   field.number("m_line", &Knobs::mLine, -1.0, 1.0, say<"the face's -x end to its +x end">);
   field.number("m_sweep_s", &Knobs::mSweep_s, 1.0, 16.0, say<"seconds across the strip">);
+  field.effect("colour", &Knobs::colour);
   field.flag("marker_left", &Knobs::markerLeft);
   field.flag("upside_down", &Knobs::upsideDown);
 }

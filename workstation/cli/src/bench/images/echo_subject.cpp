@@ -147,7 +147,8 @@ LiveEngine::LiveEngine(const EchoSubject& subject, const Probe& probe, Quality q
   knobs.quality = quality;
   // The image itself is not looked at.
   constexpr int kSmall_px = 64;
-  maker_.configure(probe, knobs, scene, subject.subject.placedGrid, kSmall_px, kSmall_px, subject.subject.labels != nullptr, {}, true);
+  maker_.configure(probe, knobs, scene, subject.subject.placedGrid, kSmall_px, kSmall_px,
+                   {.labels = subject.subject.labels != nullptr, .tissue = true});
 }
 
 EchoFrame LiveEngine::frameAt(const Transform<frame::World, frame::Probe>& probeToWorld) {

@@ -10,6 +10,7 @@
 #include "ew/core/pose.h"
 #include "ew/core/volume.h"
 #include "ew/imaging/beam_grid.h"
+#include "ew/imaging/colour_memory.h"
 #include "ew/imaging/display.h"
 #include "ew/imaging/display_image.h"
 #include "ew/imaging/effects/persistence.h"
@@ -22,6 +23,8 @@
 #include "ew/imaging/tissue_motion.h"
 
 namespace ew {
+
+class FlowSampler;
 
 /// One thing a frame has to do, in the order it is done.
 enum class StepKind {
@@ -47,7 +50,8 @@ enum class StepKind {
   scanConversion,
   edges,
   persistence,
-  table,  ///< the paper's gain, DGC and dynamic range; grey map
+  table,   ///< the paper's gain, DGC and dynamic range; grey map
+  colour,  ///< the box's packets, wall filter and sums; over the image in colours
 };
 /// In plans, reports and benchmarks.
 const char* nameOf(StepKind kind);
@@ -57,6 +61,15 @@ struct Step {
   StepKind kind = StepKind::sampleLinear;
   double estimated_us = 0.0;  ///< from the counts of pixels and samples, on a machine of 2023; not part of comparison
   bool operator==(const Step& other) const { return kind == other.kind; }
+};
+
+/// What frames are made of beside the volume.
+struct FrameParts {
+  bool labels = false;
+  bool tissue = false;    ///< maps: then a scene with live echoes forms them, and samples no volume
+  bool recorded = false;  ///< these are of a recorded volume (TissueMaps::isRecorded), whose own grain may be kept
+  bool flow = false;      ///< and what its blood does: then knobs with a colour box show it
+  bool operator==(const FrameParts&) const = default;
 };
 
 /// What a frame runs, in order. Neutral steps are not in it. Printable ("beams: linear + focus + scan conversion"), comparable.
@@ -71,12 +84,9 @@ std::ostream& operator<<(std::ostream& out, const Plan& plan);
 /// neutral setting, noise that cannot be seen, contact while everything touches; and beams, when no step needs them (a linear array that
 /// steers or fans out does not: the display grid is clipped to its fan; M-mode does not: its beam is sampled alone). Gain, DGC, dynamic
 /// range and grey map are one table; in decibels all but the grey map are a step on beams.
-/// @param hasLabels whether frames come with a label volume
 /// @param hasGaps   whether parts of the face are off the skin, beyond what gel fills
-/// @param hasTissue whether frames come with tissue maps: then a scene with live echoes forms them, and samples no volume
-/// @param isRecorded whether these are of a recorded volume (TissueMaps::isRecorded), whose own grain may be kept
 [[nodiscard]] Plan makePlan(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry, const Grid& grid,
-                            bool hasLabels = false, bool hasGaps = false, bool hasTissue = false, bool isRecorded = false);
+                            const FrameParts& parts = {}, bool hasGaps = false);
 
 /// Time of one step of one frame.
 struct StepTime {
@@ -93,17 +103,20 @@ struct FrameInput {
   Grid tissueGrid = {};                ///< its place in the world
   const TissueMotion* motion = nullptr;  ///< of `tissue`, in the frame of its own grid; a scene with motion moves it
   BodyState body = {};                   ///< where it stands
+  const FlowSampler* flow = nullptr;     ///< blood of `tissue`, in the frame of its own grid
   Pose pose = {};
   std::span<const float> gaps_mm =
       {};                    ///< skin to face, from the face's -x end to its +x end (effects/contact.h); empty: everything touches
-  double time_s = 0.0;       ///< of the M-mode strip
+  double time_s = 0.0;       ///< of the M-mode strip and of the blood's beats
   std::uint64_t number = 0;  ///< of the noise: the same number, the same noise
 };
 
-/// What shows of earlier frames in later ones: persistence's levels and the strip of the M-mode. Empty where neither runs.
+/// What shows of earlier frames in later ones: persistence's levels, the strip of the M-mode, and of colour its persistence and where probe
+/// and body stood. Empty where none of them runs.
 struct FrameMemory {
   PersistenceMemory persistence;
   MModeStrip strip;
+  ColourMemory colour;
 };
 
 /// Makes frames of one probe and one setting after another; owns the tables and scratch memory, so that a frame allocates nothing.
@@ -118,7 +131,7 @@ class FrameMaker {
   /// Rebuilds what depends on these values, and only when they changed.
   /// @param pan what a zoomed image shows; the viewer's, not the machine's: it is no knob
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const Grid& grid, int width, int height,
-                 bool hasLabels = false, const Pan& pan = {}, bool hasTissue = false, bool isRecorded = false);
+                 const FrameParts& parts = {}, const Pan& pan = {});
 
   /// The image for one pose: black outside the fan and outside the volume. Its views stay valid until the next call.
   /// A pose that is not PoseStatus::ok, or whose matrix checkRigid refuses, gives a black image; lastStatus() tells which happened.

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
+
+#include "ew/imaging/colour_doppler.h"
 
 namespace ew {
 
@@ -57,8 +60,9 @@ struct Knobs {
   double zoom = 1.0;             ///< display magnification about the middle of the image, 1..8
   Quality quality = Quality::linear;
   DisplayMode mode = DisplayMode::bMode;
-  double mLine = 0.0;       ///< which beam M-mode follows: -1 at the face's -x end .. +1
-  double mSweep_s = 4.0;    ///< time across the M-mode strip, 1..16
+  double mLine = 0.0;                                  ///< which beam M-mode follows: -1 at the face's -x end .. +1
+  double mSweep_s = 4.0;                               ///< time across the M-mode strip, 1..16
+  std::optional<ColourDoppler> colour = std::nullopt;  ///< where blood is known (FrameParts::flow)
   bool markerLeft = true;   ///< display only: the marked side (+x of the probe) at the left of the image, as in general imaging
   bool upsideDown = false;  ///< display only: the face at the bottom
   bool operator==(const Knobs&) const = default;

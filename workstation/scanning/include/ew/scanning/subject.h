@@ -9,6 +9,7 @@
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
 #include "ew/core/volume.h"
+#include "ew/imaging/flow_sampler.h"
 #include "ew/imaging/layout_times.h"
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slice_source.h"
@@ -93,6 +94,7 @@ struct ScanSubject {
   std::shared_ptr<const TissueMaps> tissue = nullptr;      ///< what live echoes are formed from; null: nothing is known but the voxels
   Grid placedTissue = {};                                  ///< where the maps of tissue lie
   std::shared_ptr<const TissueMotion> motion = nullptr;    ///< how that tissue moves, in the frame of its own grid; null: it does not
+  std::shared_ptr<const FlowSampler> flow = nullptr;       ///< what its blood does, in the frame of its own grid; null: nobody knows
   Scene scene = {};                                        ///< what the case calls for, with the tissues of the labels
   std::vector<std::string> probes = {};                    ///< ids that may be used, the first is the default; empty: all
   std::vector<std::string> presets = {};                   ///< ids of the console's presets it offers; its scan begins with the first
@@ -106,6 +108,8 @@ struct ScanSubject {
     if (!tissue || !motion) asked.motion.reset();
     return asked;
   }
+  /// Whether a colour box shows anything.
+  [[nodiscard]] bool showsColour() const { return tissue && flow; }
   /// Whether images in such a scene change with the body. Motion is seen in live echoes alone.
   [[nodiscard]] bool movesIn(const Scene& asked) const { return tissue && motion && asked.liveEchoes && asked.motion; }
 

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "colour/colour_lines.h"
+#include "ew/core/contract.h"
+#include "ew/imaging/colour_doppler.h"
+#include "ew/imaging/display.h"
+#include "ew/imaging/doppler.h"
+#include "plan/planning.h"
+#include "probes/fan_shape.h"
+#include "probes/sound.h"
+
+namespace ew {
+namespace {
+
+constexpr double kCarrierShare = 2.0 / 3.0;  // of the image's: machines send lower for colour, where blood is faint and velocities are high
+constexpr double kMiddle = 0.5, kHeight = 0.4;  // of the depth
+constexpr double kThinnest_mm = 5.0;
+constexpr int kFewestLines = 8;
+
+/// Of a box where the settings ask for it, brought into the depth.
+struct Extent {
+  double middle_mm, height_mm;
+};
+Extent extentOf(const ColourDoppler& colour, double depth_mm) {
+  const double asked_mm = colour.boxHeight_mm > 0.0 ? colour.boxHeight_mm : kHeight * depth_mm;
+  const double height_mm = std::clamp(asked_mm, std::min(kThinnest_mm, depth_mm), depth_mm);
+  const double middle_mm = colour.boxMiddle_mm > 0.0 ? colour.boxMiddle_mm : kMiddle * depth_mm;
+  return {std::clamp(middle_mm, 0.5 * height_mm, depth_mm - 0.5 * height_mm), height_mm};
+}
+
+}  // namespace
+
+namespace detail {
+
+int filterOrderOf(const ColourDoppler& colour) {
+  // Two samples leave nothing above an order of 0.
+  return std::min(static_cast<int>(colour.wallFilter), colour.packet - 2);
+}
+
+Probe colourProbeOf(const Probe& probe, const ColourDoppler& colour) {
+  Probe result = probe;
+  result.lines = std::max(kFewestLines, (probe.lines - 1) / colour.everyLine + 1);
+  return result;
+}
+
+Knobs colourKnobsOf(const Probe& probe, const Knobs& knobs) {
+  Knobs result = knobs;
+  const bool isParallel = probe.kind == ProbeKind::linear && !knobs.trapezoid;
+  const double most_rad = std::min(kMostColourSteering_rad, probe.maxSteering_rad);
+  result.steering_rad = isParallel ? std::clamp(knobs.colour->steering_rad, -most_rad, most_rad) : 0.0;
+  return result;
+}
+
+}  // namespace detail
+
+ColourBox colourBoxOf(const Probe& probe, const Knobs& asked) {
+  EW_EXPECTS(asked.colour.has_value());
+  const Knobs knobs = limited(asked);
+  const ColourDoppler& colour = *knobs.colour;
+  const double depth_mm = resolvedDepth_mm(probe, knobs);
+  const Extent extent = extentOf(colour, depth_mm);
+  ColourBox box;
+  const double half = std::clamp(colour.boxWidth, 0.1, 1.0);
+  const double middle = std::clamp(colour.boxMiddle, half - 1.0, 1.0 - half);
+  box.left = middle - half;
+  box.right = middle + half;
+  box.top_mm = extent.middle_mm - 0.5 * extent.height_mm;
+  box.bottom_mm = extent.middle_mm + 0.5 * extent.height_mm;
+  box.steering_rad = detail::colourKnobsOf(probe, knobs).steering_rad;
+  box.carrier_hz = colour.carrier_hz > 0.0 ? colour.carrier_hz : kCarrierShare * detail::withCarrierOf(probe, knobs).carrier_hz;
+  // The next pulse is sent once the echo of the lower edge is back.
+  box.prf_hz = std::min(colour.prf_hz, 0.5 * detail::kSpeedOfSound_mmPerS / box.bottom_mm);
+  box.nyquist_mmPerS = nyquist_mmPerS(box.prf_hz, box.carrier_hz);
+  box.packet = colour.packet;
+  box.filterOrder = detail::filterOrderOf(colour);
+  box.wallEdge_mmPerS = WallFilter(box.packet, box.filterOrder).edge() * box.nyquist_mmPerS;
+  const int lines = detail::colourProbeOf(probe, colour).lines;
+  box.lines = static_cast<int>(std::lround(half * (lines - 1))) + 1;
+  box.frame_s = box.lines * box.packet / box.prf_hz;
+  box.shown_mmPerS = {(-1.0 + colour.baseline) * box.nyquist_mmPerS, (1.0 + colour.baseline) * box.nyquist_mmPerS};
+  return box;
+}
+
+std::vector<glm::dvec2> colourBoxOutline_mm(const Probe& probe, const Knobs& knobs) {
+  constexpr int kPoints = 25;  // of an arc
+  const ColourBox box = colourBoxOf(probe, knobs);
+  const detail::FanShape fan = detail::fanShapeOf(probe, detail::colourKnobsOf(probe, limited(knobs)));
+  const auto at = [&](double across, double depth_mm) {
+    const detail::FanShape::Line line = fan.lineAt(across);
+    return line.origin_mm + depth_mm * line.direction;
+  };
+  const auto across = [&](int n) { return std::lerp(box.left, box.right, static_cast<double>(n) / (kPoints - 1)); };
+  std::vector<glm::dvec2> outline;
+  for (int n = 0; n < kPoints; ++n) outline.push_back(at(across(n), box.bottom_mm));
+  for (int n = kPoints - 1; n >= 0; --n) outline.push_back(at(across(n), box.top_mm));
+  std::rotate(outline.begin(), outline.end() - 1, outline.end());
+  outline.push_back(outline.front());
+  return outline;
+}
+
+Knobs withColourBoxAt(const Probe& probe, const Knobs& knobs, const glm::dvec2& p_mm) {
+  EW_EXPECTS(knobs.colour.has_value());
+  Knobs moved = limited(knobs);
+  const detail::FanShape::Place place = detail::fanShapeOf(probe, detail::colourKnobsOf(probe, moved)).placeOf(p_mm);
+  const ColourBox box = colourBoxOf(probe, moved);
+  const double half = 0.5 * (box.right - box.left), halfHeight_mm = 0.5 * (box.bottom_mm - box.top_mm);
+  const double depth_mm = resolvedDepth_mm(probe, moved);
+  moved.colour->boxMiddle = std::clamp(place.across, half - 1.0, 1.0 - half);
+  moved.colour->boxMiddle_mm = std::clamp(place.depth_mm, halfHeight_mm, depth_mm - halfHeight_mm);
+  moved.colour->boxHeight_mm = 2.0 * halfHeight_mm;
+  return moved;
+}
+
+}  // namespace ew
