@@ -35,8 +35,8 @@ Extent extentOf(const ColourDoppler& colour, double depth_mm) {
 namespace detail {
 
 int filterOrderOf(const ColourDoppler& colour) {
-  // Two samples leave nothing above an order of 0.
-  return std::min(static_cast<int>(colour.wallFilter), colour.packet - 2);
+  // Two degrees of freedom must be left: of one, the phase from sample to sample is the same whatever moves.
+  return std::min(static_cast<int>(colour.wallFilter), colour.packet - 3);
 }
 
 Probe colourProbeOf(const Probe& probe, const ColourDoppler& colour) {

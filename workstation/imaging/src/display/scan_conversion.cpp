@@ -9,7 +9,7 @@
 #include <cstring>
 #include <utility>
 
-#include "../probes/fan_shape.h"
+#include "display/conversion_table.h"
 #include "ew/core/contract.h"
 #include "ew/imaging/scan_conversion.h"
 
@@ -116,14 +116,17 @@ std::pair<std::uint32_t, std::uint16_t> split(std::int64_t position, std::int64_
 }  // namespace
 
 ScanConversionTable makeScanConversion(const Probe& probe, const Knobs& knobs, const BeamGrid& grid, const DisplayGeometry& geometry) {
+  return detail::conversionOf(detail::fanShapeOf(probe, knobs), fanSpans(probe, knobs, geometry), grid, geometry);
+}
+
+ScanConversionTable detail::conversionOf(const FanShape& fan, Spans spans, const BeamGrid& grid, const DisplayGeometry& geometry) {
   EW_EXPECTS(grid.lines.size() >= 2 && grid.samples >= 2);
-  const detail::FanShape fan = detail::fanShapeOf(probe, knobs);
   ScanConversionTable table;
   table.width = geometry.width;
   table.height = geometry.height;
   table.lines = static_cast<int>(grid.lines.size());
   table.samples = grid.samples;
-  table.spans = fanSpans(probe, knobs, geometry);
+  table.spans = std::move(spans);
   table.firstTapOfRow.reserve(static_cast<std::size_t>(table.height) + 1);
   std::size_t pixels = 0;
   for (const std::vector<RowSpan>& row : table.spans)

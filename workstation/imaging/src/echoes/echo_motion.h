@@ -49,6 +49,9 @@ class EchoMotion {
   /// How far what rests at a place has gone, mm.
   [[nodiscard]] glm::vec3 shiftAt(const glm::vec3& rest_mm) const;
 
+  /// (place at rest - place now) at a place of now, mm. @param guess of it, that of a neighbour
+  [[nodiscard]] glm::vec3 backAt(const glm::vec3& now_mm, const glm::vec3& guess) const;
+
   /// Bounds of (place at rest - place now) of what is seen between two ranges, mm.
   struct Reach {
     glm::dvec3 least_mm{0.0};
@@ -101,8 +104,6 @@ class EchoMotion {
     std::ptrdiff_t row, plane;
     const glm::vec3* shift;
   };
-  /// (place at rest - place now) at a place of now.
-  [[nodiscard]] glm::vec3 backAt(const glm::vec3& now_mm, const glm::vec3& guess) const;
   [[nodiscard]] const glm::vec3& nodeAt(int side, int knot, int column) const {
     return nodes_[static_cast<std::size_t>((side * knots_ + knot) * columns_ + column)];
   }

@@ -46,6 +46,8 @@ class LiveEchoes {
   /// @param greyPerDb of the levels
   /// @param echoes (lines x samples)
   void takeEnvelope(double greyPerDb, Bands& bands, ImageView<float> echoes);
+  /// Of the last frame.
+  [[nodiscard]] const EchoMotion& motion() const { return motion_; }
 
  private:
   /// Where scatterers and fragments of a frame lie.

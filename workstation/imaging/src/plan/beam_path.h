@@ -73,6 +73,8 @@ class BeamPath {
 
   [[nodiscard]] const BeamGrid& grid() const { return grid_; }
   [[nodiscard]] const BeamImage& levels() const { return echoes_; }
+  /// Of live echoes in the frame in work; null: there are none.
+  [[nodiscard]] const EchoMotion* motion() const { return isLive_ ? &live_.motion() : nullptr; }
 
  private:
   void layMiddlePlane(const Transform<frame::Voxel, frame::Probe>& probeToVoxel);

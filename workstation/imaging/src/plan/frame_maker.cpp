@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "beam_path.h"
+#include "colour/colour_path.h"
 #include "compound.h"
 #include "ew/core/contract.h"
 #include "ew/imaging/effects/edge_enhancement.h"
@@ -54,6 +55,12 @@ struct FrameMaker::Parts {
   PoseStatus status_ = PoseStatus::missing;
   MModeStrip strip_;
   PersistenceMemory persistence_;
+  ColourMemory colourMemory_;
+  detail::ColourPath colour_;
+  bool hasColour_ = false;
+  [[nodiscard]] ImageView<const Rgba> colours() const {
+    return hasColour_ && status_ == PoseStatus::ok ? colour_.image() : ImageView<const Rgba>{};
+  }
 
  private:
   void makeGreyTables(bool hasStrip);
@@ -100,7 +107,10 @@ void FrameMaker::configure(const Probe& probe, const Knobs& knobs, const Scene& 
                            const FrameParts& parts, const Pan& pan) {
   parts_->configure(probe, knobs, scene, grid, width, height, parts, pan);
 }
-DisplayImage FrameMaker::make(const FrameInput& input) { return {parts_->make(input)}; }
+DisplayImage FrameMaker::make(const FrameInput& input) {
+  const ImageView<const std::uint8_t> grey = parts_->make(input);
+  return {grey, parts_->colours()};
+}
 DisplayImage FrameMaker::make(const VolumeView<const std::uint8_t>& volume, const Pose& pose) {
   FrameInput input;
   input.echo = volume;
@@ -113,16 +123,19 @@ int FrameMaker::stripCursor() const { return parts_->strip_.cursor(); }
 void FrameMaker::forget() {
   parts_->persistence_.empty = true;
   parts_->strip_.clear();
+  parts_->colourMemory_ = {};
 }
 FrameMemory FrameMaker::memory() const {
   FrameMemory memory;
   if (!parts_->persistence_.empty) memory.persistence = parts_->persistence_;
   memory.strip = parts_->strip_;
+  memory.colour = parts_->colourMemory_;
   return memory;
 }
 void FrameMaker::recall(const FrameMemory& memory) {
   const ImageView<const std::uint8_t> mine = parts_->strip_.image(), theirs = memory.strip.image();
   if (mine.width == theirs.width && mine.height == theirs.height) parts_->strip_ = memory.strip;
+  parts_->colourMemory_ = memory.colour;  // sums of another box start afresh with the next frame
   if (memory.persistence.empty)
     parts_->persistence_.empty = true;
   else
@@ -136,6 +149,10 @@ const Spans& FrameMaker::spans() const { return parts_->spans_; }
 const BeamGrid& FrameMaker::beamGrid() const {
   static const BeamGrid none;
   return parts_->plan_.onBeams ? parts_->beamGrid() : none;
+}
+const BeamGrid& FrameMaker::colourGrid() const {
+  static const BeamGrid none;
+  return parts_->hasColour_ ? parts_->colour_.grid() : none;
 }
 const BeamImage& FrameMaker::beamLevels() const {
   static const BeamImage none;
@@ -178,6 +195,11 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   times_.reserve(lifted_.steps.size());
   beams_.configure(lifted_, probe, knobs_, scene_, geometry_, spacing_mm);
   layCompound(probe, spacing_mm);
+  hasColour_ = knobs_.colour.has_value();
+  if (hasColour_)
+    colour_.configure(probe, knobs_, scene_, geometry_);
+  else
+    colourMemory_ = {};
 
   const bool hasStrip = knobs_.mode != DisplayMode::bMode;
   if (!hasStrip) {
@@ -255,6 +277,7 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   if (status_ != PoseStatus::ok) {
     blacken(*image_);
     persistence_.empty = true;
+    colourMemory_ = {};
     return viewOf(std::as_const(*image_));
   }
   beams_.place(input.echo.grid.worldToVoxel() * input.pose.probeToWorld);
@@ -297,7 +320,8 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
     case StepKind::edges:
       return sharpen();
     case StepKind::colour:
-      return;
+      colour_.form(input, beams_.motion(), colourMemory_, bands_);
+      return colour_.draw(viewOf(std::as_const(*image_)), colourMemory_, bands_);
     case StepKind::persistence:
       beginPersistence(image_->width, image_->height, persistence_);
       return bands_.run(image_->height, [this](int firstRow, int count, int) {

@@ -6,6 +6,7 @@
 #include "echoes/echo_layout.h"
 #include "ew/core/contract.h"
 #include "ew/core/translatable.h"
+#include "ew/imaging/colour_doppler.h"
 #include "ew/imaging/effects/noise.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/resolved.h"
@@ -60,6 +61,9 @@ constexpr double kHarmonicHaze = 1.5;  // of the decibels: squared on transmissi
 
 // Of live echoes beside each sample's share: to place a scatterer, weigh it and add it up; the envelope costs its share for every look.
 constexpr double kScatterer_ns = 15.0;
+
+// Of a colour box: each pixel, and each sample of the packets of a hundred gates on each line.
+constexpr double kColourPixel_ns = 3.0, kColourGate_ns = 8.0;
 
 const StepInfo& infoOf(StepKind kind) {
   const auto found = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const StepInfo& step) { return step.kind == kind; });
@@ -287,6 +291,12 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
   if (knobs.edgeEnhancement > 0.0) add(StepKind::edges);
   if (knobs.persistence > 0.0) add(StepKind::persistence);
   if (hasTable(knobs, scene)) add(StepKind::table);
+  if (knobs.colour) {
+    const ColourBox box = colourBoxOf(probe, knobs);
+    const double share = std::clamp(0.5 * (box.right - box.left) * (box.bottom_mm - box.top_mm) / geometry.depth_mm, 0.0, 1.0);
+    plan.steps.push_back(
+        {StepKind::colour, 1e-3 * share * (kColourPixel_ns * size.pixels + kColourGate_ns * box.lines * box.packet * 100.0)});
+  }
   return plan;
 }
 

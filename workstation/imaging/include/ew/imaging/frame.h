@@ -164,6 +164,9 @@ class FrameMaker {
   [[nodiscard]] const BeamGrid& beamGrid() const;
   /// Its levels as the last step on beams left them, on beamGrid(): not rounded, before grey map and scan conversion. To measure with.
   [[nodiscard]] const BeamImage& beamLevels() const;
+  /// Where lines and gates of the colour box lie, from the face to its lower edge; no line without one. What was measured there is in
+  /// memory().colour.
+  [[nodiscard]] const BeamGrid& colourGrid() const;
 
  private:
   struct Parts;
