@@ -34,8 +34,6 @@ constexpr double kSeenNoise = 0.35;      // of what is just shown: less is nowhe
 constexpr double kOutOfTwo = 1.4142135623730951;
 constexpr int kLinesOfNode = 4;
 constexpr double kNode_mm = 4.0;
-constexpr double kLongestAgo_s = 0.5;  // a frame before that long ago says nothing of how fast the probe moves
-constexpr double kShortestAgo_s = 0.005;
 constexpr float kFullPower = 1e4F;  // from which losses are taken: far above what attenuate() calls faint
 constexpr int kVelocities = 256, kSpreads = 16;
 constexpr float kOpaqueFrom = 1.4F;  // of the power that is just shown
@@ -163,55 +161,37 @@ void ColourPath::layColours() {
     }
 }
 
-void ColourPath::findMotion(const FrameInput& input, const EchoMotion* motion, const ColourMemory& memory,
-                            const Transform<frame::Probe, frame::World>& ownToProbe) {
-  const double ago_s = input.time_s - memory.time_s;
-  const bool knowsBefore = memory.hasBefore && ago_s > 0.0 && ago_s < kLongestAgo_s;
-  const bool hasFields = motion != nullptr && motion->moves();
-  before_.rest();
-  const bool bodyMoves = knowsBefore && hasFields && input.motion != nullptr && scene_.motion && !(memory.body == input.body);
-  if (bodyMoves) before_.take(*input.motion, memory.body, scene_.motion->strength, ownToProbe);
-  nowAlone_.rest();
-  if (bodyMoves) nowAlone_.take(*input.motion, input.body, scene_.motion->strength, ownToProbe);
-  const glm::dmat4 toBefore = knowsBefore ? (inverse(memory.pose.probeToWorld) * input.pose.probeToWorld).matrix : glm::dmat4(1.0);
-  const bool probeMoves = toBefore != glm::dmat4(1.0);
-  moves_ = hasFields || probeMoves;
-  if (!moves_) return;
-  const double perS = 1.0 / std::max(ago_s, kShortestAgo_s);
+void ColourPath::findMotion() {
+  if (!motion_.moves()) return;
   const int lines = region_.lastLine - region_.firstLine;
   columns_ = std::max(2, (lines + kLinesOfNode - 1) / kLinesOfNode + 1);
   rows_ = std::max(2, static_cast<int>(std::ceil(box_.bottom_mm / kNode_mm)) + 1);
   nodes_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (int column = 0; column < columns_; ++column) {
-    const auto line = static_cast<std::size_t>(
-        std::clamp(region_.firstLine + static_cast<int>(std::lround(static_cast<double>(column) * lines / (columns_ - 1))), 0,
-                   static_cast<int>(grid_.lines.size()) - 1));
+    const auto line =
+        static_cast<std::size_t>(region_.firstLine + static_cast<int>(std::lround(static_cast<double>(column) * lines / (columns_ - 1))));
     glm::vec3 back(0.0F);
     for (int row = 0; row < rows_; ++row) {
       const BeamGrid::Line& way = grid_.lines[line];
       const glm::dvec3 now_mm(way.origin_mm + static_cast<double>(row) * box_.bottom_mm / (rows_ - 1) * way.direction, 0.0);
-      if (hasFields) back = motion->backAt(glm::vec3(now_mm), back);
-      const glm::vec3 rest_mm = glm::vec3(now_mm) + back;
-      glm::vec3 gone_mm(0.0F);
-      if (bodyMoves) gone_mm = nowAlone_.shiftAt(rest_mm) - before_.shiftAt(rest_mm);
-      // A place that stands still in the world was elsewhere before the face.
-      if (probeMoves) gone_mm += glm::vec3(now_mm - glm::dvec3(toBefore * glm::dvec4(now_mm, 1.0)));
-      nodes_[static_cast<std::size_t>(row * columns_ + column)] = {back, gone_mm * static_cast<float>(perS)};
+      const SeenMotion::At seen = motion_.at(now_mm, back);
+      back = seen.back_mm;
+      nodes_[static_cast<std::size_t>(row * columns_ + column)] = seen;
     }
   }
 }
 
-ColourPath::MotionNode ColourPath::motionAt(int line, double depth_mm) const {
-  if (!moves_) return {};
+SeenMotion::At ColourPath::motionAt(int line, double depth_mm) const {
+  if (!motion_.moves()) return {};
   const double across = static_cast<double>(line - region_.firstLine) / (region_.lastLine - region_.firstLine) * (columns_ - 1);
   const double down = depth_mm / box_.bottom_mm * (rows_ - 1);
   const int column = std::clamp(static_cast<int>(across), 0, columns_ - 2), row = std::clamp(static_cast<int>(down), 0, rows_ - 2);
   const auto tx = static_cast<float>(across - column), ty = static_cast<float>(down - row);
-  const MotionNode* at = nodes_.data() + static_cast<std::ptrdiff_t>(row) * columns_ + column;
-  const auto between = [&](glm::vec3 MotionNode::*what) {
+  const SeenMotion::At* at = nodes_.data() + static_cast<std::ptrdiff_t>(row) * columns_ + column;
+  const auto between = [&](glm::vec3 SeenMotion::At::*what) {
     return glm::mix(glm::mix(at[0].*what, at[1].*what, tx), glm::mix(at[columns_].*what, at[columns_ + 1].*what, tx), ty);
   };
-  return {between(&MotionNode::back_mm), between(&MotionNode::velocity_mmPerS)};
+  return {between(&SeenMotion::At::back_mm), between(&SeenMotion::At::velocity_mmPerS)};
 }
 
 void ColourPath::findLosses(const FrameInput& input, Bands& bands) {
@@ -263,7 +243,7 @@ GateEchoes ColourPath::echoesAt(const FrameInput& input, const glm::dmat4& probe
   const BeamGrid::Line& way = grid_.lines[static_cast<std::size_t>(line)];
   const Cell& cell = cells_[static_cast<std::size_t>(gate)];
   const double depth_mm = grid_.depth_mm(gate);
-  const MotionNode motion = motionAt(line, depth_mm);
+  const SeenMotion::At motion = motionAt(line, depth_mm);
   const glm::dvec3 along(way.direction, 0.0), across(way.direction.y, -way.direction.x, 0.0);
   const glm::dvec3 middle_mm(way.origin_mm + depth_mm * way.direction, 0.0);
   const auto sigma = [](double amplitude_mm) { return amplitude_mm / kOutOfTwo; };
@@ -416,21 +396,18 @@ void ColourPath::average(ColourMemory& memory, Bands& bands) {
   pass(averaged_, memory.sums, false, keeps);
 }
 
-void ColourPath::form(const FrameInput& input, const EchoMotion* motion, ColourMemory& memory, Bands& bands) {
+void ColourPath::form(const FrameInput& input, const EchoMotion* motion, const SeenBefore& before, ColourMemory& memory, Bands& bands) {
   EW_EXPECTS(input.flow != nullptr && input.tissue != nullptr);
   scratch_.resize(static_cast<std::size_t>(bands.threads()));
   const Transform<frame::World, frame::World> ownToWorld = input.tissueGrid.voxelToWorld() * input.tissue->grid.worldToVoxel();
   const Transform<frame::Probe, frame::World> ownToProbe = inverse(input.pose.probeToWorld) * ownToWorld;
   input.flow->prepare(input.time_s, moment_);
-  findMotion(input, motion, memory, ownToProbe);
+  motion_.take(input, scene_, motion, before, ownToProbe);
+  findMotion();
   findLosses(input, bands);
   findEchoes(input, inverse(ownToProbe).matrix, bands);
   addPackets(input.number, bands);
   average(memory, bands);
-  memory.hasBefore = true;
-  memory.pose = input.pose;
-  memory.body = input.body;
-  memory.time_s = input.time_s;
 }
 
 void ColourPath::draw(ImageView<const std::uint8_t> grey, const ColourMemory& memory, Bands& bands) {

@@ -7,16 +7,16 @@
 
 #include "colour/colour_lines.h"
 #include "echoes/echo_beams.h"
-#include "echoes/echo_motion.h"
 #include "ew/imaging/bands.h"
 #include "ew/imaging/beam_grid.h"
-#include "ew/imaging/colour_memory.h"
 #include "ew/imaging/display_image.h"
 #include "ew/imaging/doppler.h"
 #include "ew/imaging/effects/attenuation.h"
+#include "ew/imaging/flow_memory.h"
 #include "ew/imaging/flow_sampler.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/scan_conversion.h"
+#include "flow/seen_motion.h"
 #include "plan/change_detector.h"
 
 namespace ew::detail {
@@ -43,7 +43,8 @@ class ColourPath {
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry);
   /// Sums of every gate.
   /// @param motion of the image's echoes; null: nothing moves
-  void form(const FrameInput& input, const EchoMotion* motion, ColourMemory& memory, Bands& bands);
+  /// @param before the frame before
+  void form(const FrameInput& input, const EchoMotion* motion, const SeenBefore& before, ColourMemory& memory, Bands& bands);
   /// Their colours, over an image of that size.
   void draw(ImageView<const std::uint8_t> grey, const ColourMemory& memory, Bands& bands);
   [[nodiscard]] ImageView<const Rgba> image() const { return viewOf(image_); }
@@ -61,17 +62,12 @@ class ColourPath {
     std::vector<std::complex<float>> white, packet, sum;
     std::vector<float> attenuation;
   };
-  struct MotionNode {
-    glm::vec3 back_mm{0.0F};          ///< place at rest - place now
-    glm::vec3 velocity_mmPerS{0.0F};  ///< of what is there now, seen from the probe
-  };
   [[nodiscard]] std::size_t indexOf(int line, int gate) const {
     return static_cast<std::size_t>(gate) * grid_.lines.size() + static_cast<std::size_t>(line);
   }
   void layColours();
-  void findMotion(const FrameInput& input, const EchoMotion* motion, const ColourMemory& memory,
-                  const Transform<frame::Probe, frame::World>& ownToProbe);
-  [[nodiscard]] MotionNode motionAt(int line, double depth_mm) const;
+  void findMotion();
+  [[nodiscard]] SeenMotion::At motionAt(int line, double depth_mm) const;
   void findLosses(const FrameInput& input, Bands& bands);
   void findEchoes(const FrameInput& input, const glm::dmat4& probeToOwn, Bands& bands);
   [[nodiscard]] GateEchoes echoesAt(const FrameInput& input, const glm::dmat4& probeToOwn, const glm::dmat4& probeToLevel, int line,
@@ -108,10 +104,9 @@ class ColourPath {
   TissueLosses losses_;
 
   FlowMoment moment_;
-  EchoMotion before_, nowAlone_;   ///< the body alone, without what gives way to the face
-  std::vector<MotionNode> nodes_;  ///< by row of depths, by column of lines
+  SeenMotion motion_;
+  std::vector<SeenMotion::At> nodes_;  ///< by row of depths, by column of lines
   int columns_ = 0, rows_ = 0;
-  bool moves_ = false;
   std::vector<Scratch> scratch_;
   std::vector<float> touch_;  ///< by line
   GreyImage labels_;          ///< (lines x samples)

@@ -56,6 +56,7 @@ struct FrameMaker::Parts {
   MModeStrip strip_;
   PersistenceMemory persistence_;
   ColourMemory colourMemory_;
+  SeenBefore before_;
   detail::ColourPath colour_;
   bool hasColour_ = false;
   [[nodiscard]] ImageView<const Rgba> colours() const {
@@ -124,17 +125,20 @@ void FrameMaker::forget() {
   parts_->persistence_.empty = true;
   parts_->strip_.clear();
   parts_->colourMemory_ = {};
+  parts_->before_ = {};
 }
 FrameMemory FrameMaker::memory() const {
   FrameMemory memory;
   if (!parts_->persistence_.empty) memory.persistence = parts_->persistence_;
   memory.strip = parts_->strip_;
   memory.colour = parts_->colourMemory_;
+  memory.before = parts_->before_;
   return memory;
 }
 void FrameMaker::recall(const FrameMemory& memory) {
   const ImageView<const std::uint8_t> mine = parts_->strip_.image(), theirs = memory.strip.image();
   if (mine.width == theirs.width && mine.height == theirs.height) parts_->strip_ = memory.strip;
+  parts_->before_ = memory.before;
   parts_->colourMemory_ = memory.colour;  // sums of another box start afresh with the next frame
   if (memory.persistence.empty)
     parts_->persistence_.empty = true;
@@ -278,6 +282,7 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
     blacken(*image_);
     persistence_.empty = true;
     colourMemory_ = {};
+    before_ = {};
     return viewOf(std::as_const(*image_));
   }
   beams_.place(input.echo.grid.worldToVoxel() * input.pose.probeToWorld);
@@ -289,6 +294,7 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   };
   // Of live echoes a frame is many steps, and each would wake the other threads anew.
   formsEchoes(scene_) ? bands_.together(runAll) : runAll();
+  if (hasColour_) before_ = detail::seenIn(input);
   return viewOf(std::as_const(*image_));
 }
 
@@ -320,7 +326,7 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
     case StepKind::edges:
       return sharpen();
     case StepKind::colour:
-      colour_.form(input, beams_.motion(), colourMemory_, bands_);
+      colour_.form(input, beams_.motion(), before_, colourMemory_, bands_);
       return colour_.draw(viewOf(std::as_const(*image_)), colourMemory_, bands_);
     case StepKind::persistence:
       beginPersistence(image_->width, image_->height, persistence_);

@@ -10,10 +10,10 @@
 #include "ew/core/pose.h"
 #include "ew/core/volume.h"
 #include "ew/imaging/beam_grid.h"
-#include "ew/imaging/colour_memory.h"
 #include "ew/imaging/display.h"
 #include "ew/imaging/display_image.h"
 #include "ew/imaging/effects/persistence.h"
+#include "ew/imaging/flow_memory.h"
 #include "ew/imaging/knobs.h"
 #include "ew/imaging/m_mode.h"
 #include "ew/imaging/probe.h"
@@ -117,6 +117,7 @@ struct FrameMemory {
   PersistenceMemory persistence;
   MModeStrip strip;
   ColourMemory colour;
+  SeenBefore before;
 };
 
 /// Makes frames of one probe and one setting after another; owns the tables and scratch memory, so that a frame allocates nothing.

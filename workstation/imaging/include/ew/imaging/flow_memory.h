@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "ew/core/pose.h"
+#include "ew/imaging/tissue_motion.h"
+
+namespace ew {
+
+/// Where probe and body stood in the frame before: what moved since is seen by every Doppler.
+struct SeenBefore {
+  bool isKnown = false;
+  Pose pose;
+  BodyState body;
+  double time_s = 0.0;
+};
+
+/// What a colour box remembers of the frame before: its sums for persistence.
+struct ColourMemory {
+  int lines = 0, gates = 0;
+  std::vector<float> sums;  ///< by gate and line three numbers: R0, and R1's real and imaginary part; empty: persistence starts afresh
+};
+
+}  // namespace ew
