@@ -125,6 +125,7 @@ class ColourScan {
   }
   [[nodiscard]] FrameInput& input() { return input_; }
   [[nodiscard]] FrameMaker& maker() { return maker_; }
+  [[nodiscard]] const FrameMaker& maker() const { return maker_; }
   [[nodiscard]] ColourBox box() const { return colourBoxOf(shot_.probe, shot_.knobs); }
   [[nodiscard]] const TissueMaps& maps() const { return maps_; }
   /// Gate and line nearest to a place in the image plane, and what lies there.

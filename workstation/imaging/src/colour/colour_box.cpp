@@ -7,6 +7,7 @@
 #include "ew/imaging/colour_doppler.h"
 #include "ew/imaging/display.h"
 #include "ew/imaging/doppler.h"
+#include "flow/echo_powers.h"
 #include "plan/planning.h"
 #include "probes/fan_shape.h"
 #include "probes/sound.h"
@@ -14,7 +15,6 @@
 namespace ew {
 namespace {
 
-constexpr double kCarrierShare = 2.0 / 3.0;  // of the image's: machines send lower for colour, where blood is faint and velocities are high
 constexpr double kMiddle = 0.5, kHeight = 0.4;  // of the depth
 constexpr double kThinnest_mm = 5.0;
 constexpr int kFewestLines = 8;
@@ -45,13 +45,15 @@ Probe colourProbeOf(const Probe& probe, const ColourDoppler& colour) {
   return result;
 }
 
-Knobs colourKnobsOf(const Probe& probe, const Knobs& knobs) {
+Knobs steeredKnobs(const Probe& probe, const Knobs& knobs, double steering_rad) {
   Knobs result = knobs;
   const bool isParallel = probe.kind == ProbeKind::linear && !knobs.trapezoid;
   const double most_rad = std::min(kMostColourSteering_rad, probe.maxSteering_rad);
-  result.steering_rad = isParallel ? std::clamp(knobs.colour->steering_rad, -most_rad, most_rad) : 0.0;
+  result.steering_rad = isParallel ? std::clamp(steering_rad, -most_rad, most_rad) : 0.0;
   return result;
 }
+
+Knobs colourKnobsOf(const Probe& probe, const Knobs& knobs) { return steeredKnobs(probe, knobs, knobs.colour->steering_rad); }
 
 }  // namespace detail
 
@@ -69,7 +71,7 @@ ColourBox colourBoxOf(const Probe& probe, const Knobs& asked) {
   box.top_mm = extent.middle_mm - 0.5 * extent.height_mm;
   box.bottom_mm = extent.middle_mm + 0.5 * extent.height_mm;
   box.steering_rad = detail::colourKnobsOf(probe, knobs).steering_rad;
-  box.carrier_hz = colour.carrier_hz > 0.0 ? colour.carrier_hz : kCarrierShare * detail::withCarrierOf(probe, knobs).carrier_hz;
+  box.carrier_hz = colour.carrier_hz > 0.0 ? colour.carrier_hz : detail::kCarrierShare * detail::withCarrierOf(probe, knobs).carrier_hz;
   // The next pulse is sent once the echo of the lower edge is back.
   box.prf_hz = std::min(colour.prf_hz, 0.5 * detail::kSpeedOfSound_mmPerS / box.bottom_mm);
   box.nyquist_mmPerS = nyquist_mmPerS(box.prf_hz, box.carrier_hz);

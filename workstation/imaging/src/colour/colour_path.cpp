@@ -12,19 +12,13 @@
 #include "ew/core/contract.h"
 #include "ew/imaging/effects/contact.h"
 #include "ew/imaging/effects/noise.h"
+#include "flow/echo_powers.h"
 #include "plan/planning.h"
 #include "probes/sound.h"
 
 namespace ew::detail {
 namespace {
 
-// Blood lies 30 to 60 dB below tissue (soft organs to walls) and grows with the fourth power of the frequency, tissue, whose level the
-// maps have for every frequency alike, with about the second. The level is ours, for the maps' scale: parenchyma is at -49 dB.
-constexpr double kBloodAt5MHz_db = -78.0;
-constexpr double kMapRange_db = 60.0;    // that 255 levels of the maps span
-constexpr float kFluidLevel = 14.0F;     // of the maps: what is not brighter sends nothing back
-constexpr double kPulseCycles = 4.0;     // longer than the image's: what is lost in resolution is won over the noise
-constexpr double kNarrowBand_db = 4.0;   // that is won, against the image's noise
 constexpr double kAboveNoise_db = 5.0;   // from here on colour is shown, without gain
 constexpr double kPowerRange_db = 30.0;  // that maps of power span
 constexpr double kGatesOfPulse = 0.75;   // between gates, of a pulse
@@ -44,28 +38,11 @@ std::uint64_t keyAt(std::uint64_t key, int line, int gate) {
   return spreadBits(key ^ (static_cast<std::uint64_t>(line + 1) << 32U | static_cast<std::uint64_t>(gate + 1)));
 }
 
-double powerOf(double level_db) { return std::pow(10.0, 0.1 * level_db); }
-
-/// Power of tissue by the level of its maps; 0 for fluid.
-struct TissuePowers {
-  std::array<float, 256> ofLevel{};
-  TissuePowers() {
-    const auto at = [](double level) { return powerOf((level / 255.0 - 1.0) * kMapRange_db); };
-    for (std::size_t level = 0; level < ofLevel.size(); ++level)
-      ofLevel[level] = static_cast<float>(std::max(0.0, at(static_cast<double>(level)) - at(static_cast<double>(kFluidLevel))));
-  }
-};
-
 /// Weight of a neighbour's draw for numbers that correlate by `rho` with their neighbours', of the own's: w / 1 + 2 w^2 = rho / 2.
 float neighbourWeight(double rho) {
   const double bounded = std::min(rho, 0.6);  // beyond, three draws would not do
   if (bounded < 0.02) return 0.0F;
   return static_cast<float>((1.0 - std::sqrt(1.0 - 2.0 * bounded * bounded)) / (2.0 * bounded));
-}
-
-std::uint8_t nearest(const SliceSource& volume, const glm::vec3& at_voxel) {
-  const glm::ivec3 voxel(glm::floor(at_voxel + 0.5F));
-  return volume.grid.contains(voxel) ? volume.voxels[volume.grid.indexOf(voxel.x, voxel.y, voxel.z)] : std::uint8_t{0};
 }
 
 Rgba solid(const Rgb& colour) { return {colour, 255}; }
@@ -81,7 +58,7 @@ void ColourPath::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   probe_ = colourProbeOf(probe, colour_);
   box_ = colourBoxOf(probe, knobs);
   wavelength_mm_ = kSpeedOfSound_mmPerS / box_.carrier_hz;
-  const double pulse_mm = 0.5 * kPulseCycles * wavelength_mm_;
+  const double pulse_mm = 0.5 * kDopplerCycles * wavelength_mm_;
   axialSigma_mm_ = pulse_mm / kFwhmOfSigma;
   const double spacing_mm = std::max(kGatesOfPulse * pulse_mm, (box_.bottom_mm - box_.top_mm) / kMostGates);
   grid_ = makeBeamGrid(probe_, knobs_, box_.bottom_mm, std::min(spacing_mm, 0.5 * box_.bottom_mm));
@@ -120,7 +97,7 @@ void ColourPath::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   }
   const double apart_mm = grid_.sampleSpacing_mm;
   acrossGates_ = neighbourWeight(std::exp(-apart_mm * apart_mm / (4.0 * axialSigma_mm_ * axialSigma_mm_)));
-  blood_ = powerOf(kBloodAt5MHz_db + 20.0 * std::log10(box_.carrier_hz / 5e6));
+  blood_ = bloodPower(box_.carrier_hz);
   if (scene.attenuation) losses_ = makeTissueLosses(scene, box_.carrier_hz, grid_.sampleSpacing_mm);
 
   // Pixels of the image's fan that lie in the box.
@@ -214,7 +191,7 @@ void ColourPath::findLosses(const FrameInput& input, Bands& bands) {
         const double depth_mm = grid_.depth_mm(gate);
         const glm::vec3 now_mm(glm::vec2(way.origin_mm + depth_mm * way.direction), 0.0F);
         labels_.pixels[indexOf(line, gate)] =
-            nearest(input.labels, glm::vec3(probeToLabel * glm::vec4(now_mm + motionAt(line, depth_mm).back_mm, 1.0F)));
+            nearestVoxel(input.labels, glm::vec3(probeToLabel * glm::vec4(now_mm + motionAt(line, depth_mm).back_mm, 1.0F)));
       }
     }
     const int line = region_.firstLine + first;
@@ -226,7 +203,7 @@ void ColourPath::findLosses(const FrameInput& input, Bands& bands) {
 
 GateEchoes ColourPath::echoesAt(const FrameInput& input, const glm::dmat4& probeToOwn, const glm::dmat4& probeToLevel, int line,
                                 int gate) const {
-  static const TissuePowers powers;
+  const std::array<float, 256>& powers = tissuePowers();
   // Six places a standard deviation of power times 2 off, which weigh an eighth each, and the middle: means and variances are exact.
   constexpr float kOff = 2.0F;
   struct Point {
@@ -264,7 +241,7 @@ GateEchoes ColourPath::echoesAt(const FrameInput& input, const glm::dmat4& probe
     const glm::dvec3 rest_mm = middle_mm + glm::dvec3(motion.back_mm) + static_cast<double>(point.off.x) * axes[0] +
                                static_cast<double>(point.off.y) * axes[1] + static_cast<double>(point.off.z) * axes[2];
     const auto weight = static_cast<double>(point.weight);
-    tissue += weight * static_cast<double>(powers.ofLevel[nearest(level, glm::vec3(probeToLevel * glm::dvec4(rest_mm, 1.0)))]);
+    tissue += weight * static_cast<double>(powers[nearestVoxel(level, glm::vec3(probeToLevel * glm::dvec4(rest_mm, 1.0)))]);
     const BloodVelocity blood = input.flow->at(moment_, glm::dvec3(probeToOwn * glm::dvec4(rest_mm, 1.0)));
     if (blood.stream < 0) continue;
     const glm::dvec3 velocity = ownToProbe * blood.mean_mmPerS + glm::dvec3(motion.velocity_mmPerS);

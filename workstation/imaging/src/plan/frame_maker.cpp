@@ -15,6 +15,7 @@
 #include "ew/imaging/m_mode.h"
 #include "ew/imaging/resolved.h"
 #include "planning.h"
+#include "spectrum/spectrum_path.h"
 
 namespace ew {
 namespace {
@@ -59,6 +60,9 @@ struct FrameMaker::Parts {
   SeenBefore before_;
   detail::ColourPath colour_;
   bool hasColour_ = false;
+  detail::SpectrumPath spectrum_;
+  bool hasSpectrum_ = false;
+  [[nodiscard]] const MModeStrip& strip() const { return hasSpectrum_ ? spectrum_.spectrogram().strip() : strip_; }
   [[nodiscard]] ImageView<const Rgba> colours() const {
     return hasColour_ && status_ == PoseStatus::ok ? colour_.image() : ImageView<const Rgba>{};
   }
@@ -118,14 +122,15 @@ DisplayImage FrameMaker::make(const VolumeView<const std::uint8_t>& volume, cons
   input.pose = pose;
   return make(input);
 }
-ImageView<const std::uint8_t> FrameMaker::strip() const { return parts_->strip_.image(); }
-const MModeStrip& FrameMaker::mMode() const { return parts_->strip_; }
-int FrameMaker::stripCursor() const { return parts_->strip_.cursor(); }
+ImageView<const std::uint8_t> FrameMaker::strip() const { return parts_->strip().image(); }
+const MModeStrip& FrameMaker::mMode() const { return parts_->strip(); }
+int FrameMaker::stripCursor() const { return parts_->strip().cursor(); }
 void FrameMaker::forget() {
   parts_->persistence_.empty = true;
   parts_->strip_.clear();
   parts_->colourMemory_ = {};
   parts_->before_ = {};
+  parts_->spectrum_.clear();
 }
 FrameMemory FrameMaker::memory() const {
   FrameMemory memory;
@@ -133,12 +138,17 @@ FrameMemory FrameMaker::memory() const {
   memory.strip = parts_->strip_;
   memory.colour = parts_->colourMemory_;
   memory.before = parts_->before_;
+  if (parts_->hasSpectrum_) memory.spectrum = std::make_shared<SpectrumMemory>(parts_->spectrum_.memory());
   return memory;
 }
 void FrameMaker::recall(const FrameMemory& memory) {
   const ImageView<const std::uint8_t> mine = parts_->strip_.image(), theirs = memory.strip.image();
   if (mine.width == theirs.width && mine.height == theirs.height) parts_->strip_ = memory.strip;
   parts_->before_ = memory.before;
+  if (parts_->hasSpectrum_ && memory.spectrum)
+    parts_->spectrum_.recall(*memory.spectrum);
+  else
+    parts_->spectrum_.clear();
   parts_->colourMemory_ = memory.colour;  // sums of another box start afresh with the next frame
   if (memory.persistence.empty)
     parts_->persistence_.empty = true;
@@ -154,6 +164,8 @@ const BeamGrid& FrameMaker::beamGrid() const {
   static const BeamGrid none;
   return parts_->plan_.onBeams ? parts_->beamGrid() : none;
 }
+const Spectrogram* FrameMaker::spectrogram() const { return parts_->hasSpectrum_ ? &parts_->spectrum_.spectrogram() : nullptr; }
+std::span<const std::complex<float>> FrameMaker::dopplerSamples() const { return parts_->spectrum_.samples(); }
 const BeamGrid& FrameMaker::colourGrid() const {
   static const BeamGrid none;
   return parts_->hasColour_ ? parts_->colour_.grid() : none;
@@ -205,7 +217,12 @@ void FrameMaker::Parts::configure(const Probe& probe, const Knobs& knobs, const 
   else
     colourMemory_ = {};
 
-  const bool hasStrip = knobs_.mode != DisplayMode::bMode;
+  hasSpectrum_ = knobs_.mode == DisplayMode::spectrum;
+  if (hasSpectrum_)
+    spectrum_.configure(probe, knobs_, scene_, geometry_);
+  else
+    spectrum_.clear();
+  const bool hasStrip = knobs_.mode == DisplayMode::mMode || knobs_.mode == DisplayMode::both;
   if (!hasStrip) {
     strip_.configure(0, 0, knobs_.mSweep_s);
   } else {
@@ -294,7 +311,7 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   };
   // Of live echoes a frame is many steps, and each would wake the other threads anew.
   formsEchoes(scene_) ? bands_.together(runAll) : runAll();
-  if (hasColour_) before_ = detail::seenIn(input);
+  if (hasColour_ || hasSpectrum_) before_ = detail::seenIn(input);
   return viewOf(std::as_const(*image_));
 }
 
@@ -325,6 +342,8 @@ void FrameMaker::Parts::run(StepKind kind, const FrameInput& input) {
       return beams_.convert(bands_, viewOf(sampled_));
     case StepKind::edges:
       return sharpen();
+    case StepKind::spectrum:
+      return spectrum_.run(input, beams_.motion(), before_);
     case StepKind::colour:
       colour_.form(input, beams_.motion(), before_, colourMemory_, bands_);
       return colour_.draw(viewOf(std::as_const(*image_)), colourMemory_, bands_);
@@ -396,6 +415,7 @@ void FrameMaker::Parts::runOnBeams(StepKind kind, const FrameInput& input, detai
     case StepKind::edges:
     case StepKind::persistence:
     case StepKind::table:
+    case StepKind::spectrum:
     case StepKind::colour:
       EW_EXPECTS(false);  // of the image, not of lines
   }

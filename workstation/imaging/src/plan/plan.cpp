@@ -51,6 +51,7 @@ constexpr StepInfo kSteps[] = {
     {StepKind::edges, "edges", EW_TRANSLATE_NOOP("ew::StepKind", "edges"), 0.45, 0.0},
     {StepKind::persistence, "persistence", EW_TRANSLATE_NOOP("ew::StepKind", "persistence"), 0.4, 0.0},
     {StepKind::table, "grey table", EW_TRANSLATE_NOOP("ew::StepKind", "table"), 0.06, 0.0},
+    {StepKind::spectrum, "spectrum", EW_TRANSLATE_NOOP("ew::StepKind", "spectrum"), 0.0, 0.0},
     {StepKind::colour, "colour", EW_TRANSLATE_NOOP("ew::StepKind", "colour"), 0.0, 0.0},
 };
 
@@ -64,6 +65,8 @@ constexpr double kScatterer_ns = 15.0;
 
 // Of a colour box: each pixel, and each sample of the packets of a hundred gates on each line.
 constexpr double kColourPixel_ns = 3.0, kColourGate_ns = 8.0;
+// Of a sample volume: 600 scatterers at 25 images a second.
+constexpr double kSpectrum_us = 1800.0;
 
 const StepInfo& infoOf(StepKind kind) {
   const auto found = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const StepInfo& step) { return step.kind == kind; });
@@ -153,7 +156,13 @@ Scene knownScene(Scene scene, const FrameParts& parts, const Knobs& knobs) {
 }
 
 Knobs knownKnobs(Knobs knobs, const Probe& probe, const Scene& scene, const FrameParts& parts) {
-  if (!parts.flow || !parts.tissue) knobs.colour.reset();
+  const bool knowsBlood = parts.flow && parts.tissue;
+  if (!knowsBlood) knobs.colour.reset();
+  if (!knowsBlood && knobs.mode == DisplayMode::spectrum) knobs.mode = DisplayMode::bMode;
+  if (knobs.mode != DisplayMode::spectrum)
+    knobs.spectral.reset();
+  else if (!knobs.spectral)
+    knobs.spectral.emplace();
   const bool isAnew = formsEchoes(scene) && !keepsOwnGrain(scene);
   if (!isAnew) knobs.harmonic = false;
   const bool fansOut = probe.kind == ProbeKind::linear && knobs.trapezoid && probe.trapezoidHalfAngle_rad > 0.0;
@@ -283,7 +292,7 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
       add(StepKind::zoomStretch);
     }
   }
-  if (knobs.mode != DisplayMode::bMode) {
+  if (knobs.mode == DisplayMode::mMode || knobs.mode == DisplayMode::both) {
     const double beam_ns = size.samples * ((plan.onBeams ? 0.0 : infoOf(samplingOf(knobs.quality)).sample_ns) + 2.0);
     plan.steps.push_back({StepKind::mMode, 1e-3 * beam_ns});
   }
@@ -291,6 +300,7 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
   if (knobs.edgeEnhancement > 0.0) add(StepKind::edges);
   if (knobs.persistence > 0.0) add(StepKind::persistence);
   if (hasTable(knobs, scene)) add(StepKind::table);
+  if (knobs.mode == DisplayMode::spectrum) plan.steps.push_back({StepKind::spectrum, kSpectrum_us});
   if (knobs.colour) {
     const ColourBox box = colourBoxOf(probe, knobs);
     const double share = std::clamp(0.5 * (box.right - box.left) * (box.bottom_mm - box.top_mm) / geometry.depth_mm, 0.0, 1.0);

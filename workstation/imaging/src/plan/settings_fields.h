@@ -20,7 +20,8 @@ inline constexpr WordTable<GreyMap, 6> kGreyMapWords{{{"automatic", GreyMap::aut
                                                       {"contrast", GreyMap::contrast},
                                                       {"bright", GreyMap::bright},
                                                       {"clinical", GreyMap::clinical}}};
-inline constexpr WordTable<DisplayMode, 3> kModeWords{{{"b", DisplayMode::bMode}, {"m", DisplayMode::mMode}, {"both", DisplayMode::both}}};
+inline constexpr WordTable<DisplayMode, 4> kModeWords{
+    {{"b", DisplayMode::bMode}, {"m", DisplayMode::mMode}, {"both", DisplayMode::both}, {"spectrum", DisplayMode::spectrum}}};
 
 inline constexpr WordTable<ColourShows, 4> kColourShowsWords{{{"velocity", ColourShows::velocity},
                                                               {"variance", ColourShows::variance},
@@ -60,6 +61,24 @@ void visitFields(Visitor& field, const ColourDoppler*) {
 }
 
 template <class Visitor>
+void visitFields(Visitor& field, const SpectralDoppler*) {
+  field.number("line", &SpectralDoppler::line, -1.0, 1.0, say<"the face's -x end to its +x end">);
+  field.number("depth_mm", &SpectralDoppler::depth_mm, 0.0, 1000.0, say<"0 for half of the depth">);
+  field.number("gate_mm", &SpectralDoppler::gate_mm, 0.5, 20.0, say<"along the line">);
+  field.angle("steering_deg", &SpectralDoppler::steering_rad, -20.0, 20.0);
+  field.angle("angle_deg", &SpectralDoppler::angle_rad, -80.0, 80.0);
+  field.numberOrZero("carrier_hz", &SpectralDoppler::carrier_hz, 1e6, 2e7, say<"two thirds of the image's">);
+  field.number("prf_hz", &SpectralDoppler::prf_hz, 100.0, 52000.0, say<"pulses a second">);
+  field.flag("high_prf", &SpectralDoppler::highPrf);
+  field.number("baseline", &SpectralDoppler::baseline, -0.9, 0.9, say<"of the range; 0 is neutral">);
+  field.number("wall_filter_hz", &SpectralDoppler::wallFilter_hz, 20.0, 1600.0, say<"Doppler shifts below are taken out">);
+  field.number("gain_db", &SpectralDoppler::gain_db, -30.0, 30.0, say<"decibels; 0 is neutral">);
+  field.number("dynamic_range_db", &SpectralDoppler::dynamicRange_db, 20.0, 80.0, say<"from black to white">);
+  field.flag("invert", &SpectralDoppler::invert);
+  field.flag("broadens", &SpectralDoppler::broadens);
+}
+
+template <class Visitor>
 void visitFields(Visitor& field, const Knobs*) {
   field.number("gain", &Knobs::gain, 0.0, 1e6, say<"a factor; 1 is neutral">);
   field.factors("dgc", &Knobs::dgc, 0.0, 1e6);
@@ -84,6 +103,7 @@ void visitFields(Visitor& field, const Knobs*) {
   field.choice("mode", &Knobs::mode, kModeWords);
   field.number("m_line", &Knobs::mLine, -1.0, 1.0, say<"the face's -x end to its +x end">);
   field.number("m_sweep_s", &Knobs::mSweep_s, 1.0, 16.0, say<"seconds across the strip">);
+  field.effect("spectral", &Knobs::spectral);
   field.effect("colour", &Knobs::colour);
   field.flag("marker_left", &Knobs::markerLeft);
   field.flag("upside_down", &Knobs::upsideDown);

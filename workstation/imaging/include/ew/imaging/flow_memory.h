@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "ew/core/pose.h"
@@ -20,5 +21,8 @@ struct ColourMemory {
   int lines = 0, gates = 0;
   std::vector<float> sums;  ///< by gate and line three numbers: R0, and R1's real and imaginary part; empty: persistence starts afresh
 };
+
+/// What a sample volume remembers: its spectra, and where its scatterers are.
+struct SpectrumMemory;
 
 }  // namespace ew

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -19,6 +20,7 @@
 #include "ew/imaging/probe.h"
 #include "ew/imaging/scene.h"
 #include "ew/imaging/slicing.h"
+#include "ew/imaging/spectrogram.h"
 #include "ew/imaging/tissue_maps.h"
 #include "ew/imaging/tissue_motion.h"
 
@@ -50,8 +52,9 @@ enum class StepKind {
   scanConversion,
   edges,
   persistence,
-  table,   ///< the paper's gain, DGC and dynamic range; grey map
-  colour,  ///< the box's packets, wall filter and sums; over the image in colours
+  table,     ///< the paper's gain, DGC and dynamic range; grey map
+  spectrum,  ///< the sample volume from the last frame to this one, and its spectra
+  colour,    ///< the box's packets, wall filter and sums; over the image in colours
 };
 /// In plans, reports and benchmarks.
 const char* nameOf(StepKind kind);
@@ -117,6 +120,7 @@ struct FrameMemory {
   PersistenceMemory persistence;
   MModeStrip strip;
   ColourMemory colour;
+  std::shared_ptr<const SpectrumMemory> spectrum = nullptr;  ///< null: none ran
   SeenBefore before;
 };
 
@@ -140,7 +144,7 @@ class FrameMaker {
   /// The same with everything touching, no labels, frame number 0.
   DisplayImage make(const VolumeView<const std::uint8_t>& volume, const Pose& pose);
 
-  /// The M-mode strip, as wide and high as the image; width 0 when the mode has none.
+  /// The strip of the M-mode or the spectrum, as wide and high as the image; width 0 when the mode has none.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const;
   [[nodiscard]] int stripCursor() const;
   /// The same with its clock.
@@ -165,6 +169,11 @@ class FrameMaker {
   [[nodiscard]] const BeamGrid& beamGrid() const;
   /// Its levels as the last step on beams left them, on beamGrid(): not rounded, before grey map and scan conversion. To measure with.
   [[nodiscard]] const BeamImage& beamLevels() const;
+  /// Spectra of the sample volume; null without one. Their strip is strip().
+  [[nodiscard]] const Spectrogram* spectrogram() const;
+  /// What the sample volume gave in the last frame, a complex number a pulse, behind the wall filter: what is heard. Positive Doppler
+  /// shifts are towards the probe. Valid until the next frame.
+  [[nodiscard]] std::span<const std::complex<float>> dopplerSamples() const;
   /// Where lines and gates of the colour box lie, from the face to its lower edge; no line without one. What was measured there is in
   /// memory().colour.
   [[nodiscard]] const BeamGrid& colourGrid() const;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ew/imaging/colour_doppler.h"
+#include "ew/imaging/spectral_doppler.h"
 
 namespace ew {
 
@@ -27,7 +28,12 @@ enum class GainLaw {
 enum class GreyMap { linear, soft, contrast, bright, clinical, automatic };
 
 /// What the scan view shows.
-enum class DisplayMode { bMode, mMode, both };
+enum class DisplayMode {
+  bMode,
+  mMode,
+  both,
+  spectrum,  ///< the image, and the spectrum of a sample volume over time, where blood is known (FrameParts::flow)
+};
 
 inline constexpr int kDgcSliders = 8;
 inline constexpr int kMostFoci = 4;
@@ -60,9 +66,10 @@ struct Knobs {
   double zoom = 1.0;             ///< display magnification about the middle of the image, 1..8
   Quality quality = Quality::linear;
   DisplayMode mode = DisplayMode::bMode;
-  double mLine = 0.0;                                  ///< which beam M-mode follows: -1 at the face's -x end .. +1
-  double mSweep_s = 4.0;                               ///< time across the M-mode strip, 1..16
-  std::optional<ColourDoppler> colour = std::nullopt;  ///< where blood is known (FrameParts::flow)
+  double mLine = 0.0;                                      ///< which beam M-mode follows: -1 at the face's -x end .. +1
+  double mSweep_s = 4.0;                                   ///< time across the strip of the M-mode or the spectrum, 1..16
+  std::optional<SpectralDoppler> spectral = std::nullopt;  ///< of DisplayMode::spectrum; none: as it is at first
+  std::optional<ColourDoppler> colour = std::nullopt;      ///< where blood is known (FrameParts::flow)
   bool markerLeft = true;   ///< display only: the marked side (+x of the probe) at the left of the image, as in general imaging
   bool upsideDown = false;  ///< display only: the face at the bottom
   bool operator==(const Knobs&) const = default;
