@@ -80,6 +80,78 @@ TEST_F(DrawnCase, KeepsHowTissueMovesAndMakesItAloneWhenItAloneIsMissing) {
   EXPECT_EQ(loadCaseVolume(unswept(folder / "case"), noProgress())->motion->modes.front().grid.directions, glm::dmat3(1.0));
 }
 
+/// The small case with a vessel through which blood flows.
+void addBlood(const fs::path& folder, double flow_mlPerMin) {
+  json patient = json::parse(textOf(folder / "patient.json"));
+  patient["shapes"] = {{{"name", "vessel"}, {"tube", {{"points", {{0, 10, -40, 5}, {0, 12, 40, 6}}}}}}};
+  patient["motion"] = {{"pulse", {{"vessels", {{{"of", "vessel"}, {"diameter_growth_mm", 1}}}}}}};
+  patient["flow"] = {{"waves", {{{"name", "calm"}, {"samples", {1, 1.4, 1, 0.6}}}}},
+                     {"streams",
+                      {{{"name", "artery"},
+                        {"of", "vessel"},
+                        {"flow_ml_per_min", flow_mlPerMin},
+                        {"wave", "calm"},
+                        {"pulse_wave_m_per_s", 6},
+                        {"stenosis", {{"at_mm", {0, 11, 0}}, {"diameter_lost", 0.5}}}}}}};
+  writeText(folder / "patient.json", patient.dump());
+}
+
+TEST_F(DrawnCase, SaysHowBloodFlowsWhereTheVolumeLies) {
+  addBlood(folder / "case", 300.0);
+  Case drawn = unswept(folder / "case");
+  const auto made = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(made) << made.error();
+  ASSERT_TRUE(made->flow);
+  ASSERT_EQ(made->flow->streams.size(), 1U);
+  EXPECT_TRUE(made->flow->rhythms.pulse.has_value());
+  drawn.volume.fileToWorld = {glm::dmat4({0, 0.6, 0.8, 0}, {-1, 0, 0, 0}, {0, -0.8, 0.6, 0}, {10, 20, 30, 1})};
+  const auto moved = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(moved && moved->flow);
+  const FlowTruth own(*made->flow), placed(*moved->flow);
+  double fastest_mmPerS = 0.0;
+  for (const glm::dvec3& p_mm : {glm::dvec3(1, 10, -30), glm::dvec3(0, 12, 3), glm::dvec3(2, 11, 20), glm::dvec3(0, 40, 0)})
+    for (const double time_s : {0.0, 0.3, 1.7}) {
+      const BloodVelocity here = own.at(p_mm, time_s);
+      const BloodVelocity there = placed.at((drawn.volume.fileToWorld * Point<frame::File>{p_mm}).at, time_s);
+      const glm::dvec3 turned_mmPerS = (drawn.volume.fileToWorld * Direction<frame::File>{here.mean_mmPerS}).along;
+      EXPECT_LT(glm::distance(there.mean_mmPerS, turned_mmPerS), 1e-9 * (1.0 + glm::length(turned_mmPerS)));
+      EXPECT_EQ(there.stream, here.stream);
+      fastest_mmPerS = std::max(fastest_mmPerS, glm::length(here.mean_mmPerS));
+    }
+  EXPECT_GT(fastest_mmPerS, 100.0);
+}
+
+TEST_F(DrawnCase, TakesBloodFromTheRecipeAndMakesNothingForIt) {
+  addBlood(folder / "case", 300.0);
+  const Case drawn = unswept(folder / "case");
+  const auto made = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(made && made->flow) << made.error();
+  const auto again = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(again && again->flow);
+  EXPECT_EQ(*again->flow, *made->flow);
+  addBlood(folder / "case", 600.0);
+  EXPECT_FALSE(caseNeedsPreparation(drawn));
+  const auto faster = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(faster && faster->flow);
+  EXPECT_EQ(faster->flow->streams.front().flow_mm3PerS, 2.0 * made->flow->streams.front().flow_mm3PerS);
+  json patient = json::parse(textOf(folder / "case" / "patient.json"));
+  patient["flow"]["streams"][0]["of"] = "nothing";
+  writeText(folder / "case" / "patient.json", patient.dump());
+  EXPECT_FALSE(loadCaseVolume(drawn, noProgress()));
+  patient.erase("flow");
+  writeText(folder / "case" / "patient.json", patient.dump());
+  const auto without = loadCaseVolume(drawn, noProgress());
+  ASSERT_TRUE(without) << without.error();
+  EXPECT_EQ(without->flow, nullptr);
+}
+
+TEST_F(DrawnCase, OfSweepsKnowsNoBlood) {
+  addBlood(folder / "case", 300.0);
+  const auto swept = loadCaseVolume(opened(folder / "case"), noProgress());
+  ASSERT_TRUE(swept) << swept.error();
+  EXPECT_EQ(swept->flow, nullptr);
+}
+
 TEST_F(DrawnCase, EstimatesTheTimeOfARecipeWithoutSweepsFromTheLast) {
   const Case drawn = unswept(folder / "case");
   EXPECT_FALSE(estimatePreparation(drawn)->measured);

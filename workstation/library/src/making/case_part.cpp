@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "ew/phantom/flow.h"
 #include "ew/phantom/motion.h"
 #include "ew/phantom/patient.h"
 #include "ew/phantom/tissue_within.h"
@@ -33,6 +34,7 @@ Result<CaseEcho> makeSeen(const CasePlan& plan, const VoxelBlocks& blocks, const
     if (!motion) return passOn(motion.error());
     made.motion = std::move(*motion);
   }
+  if (const FlowField& flow = flowOf(**patient); !flow.streams.empty()) made.flow = std::make_shared<const FlowField>(flow);
   auto part = tissueWithin(**patient, blocks, {.threads = options.threads, .maxBytes = options.maxBytes}, painting);
   if (!part) return passOn(part.error());
   made.labels = {part->volume.grid, std::move(part->labels), {}};

@@ -6,6 +6,7 @@
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
 #include "ew/library/preparation.h"
+#include "ew/phantom/flow.h"
 #include "ew/phantom/patient.h"
 #include "files/guarded_case.h"
 #include "making/case_acoustics.h"
@@ -21,9 +22,13 @@ Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& option
   if (!plan) return passOn(plan.error());
   auto tissues = acousticsOf(*plan);
   if (!tissues) return passOn(tissues.error());
+  PartOfProgress reading(progress, 0.0, 0.01), making(progress, 0.01, 1.0);
+  auto flow = flowOf(*plan, reading);
+  if (!flow) return passOn(flow.error());
   CaseEcho found;
+  found.flow = std::move(*flow);
   if (options.draft && isWorthDrafting(opened, *plan)) {
-    auto draft = makeDraft(opened, *plan, options, progress);
+    auto draft = makeDraft(opened, *plan, options, making);
     if (!draft) return passOn(draft.error());
     found.volume = std::move(draft->volume);
     found.labels = std::move(draft->labels);
@@ -33,7 +38,7 @@ Result<CaseEcho> fromRecipe(const Case& opened, const PreparationOptions& option
     found.isDraft = true;
     return found;
   }
-  auto made = makePrepared(opened, *plan, options, progress, found.notes);
+  auto made = makePrepared(opened, *plan, options, making, found.notes);
   if (!made) return passOn(made.error());
   found.volume = std::move(made->volume);
   found.labels = std::move(made->labels);
@@ -95,6 +100,14 @@ Result<std::vector<TissueAcoustics>> acousticsOf(const CasePlan& plan) {
   return acoustics;
 }
 
+Result<std::shared_ptr<const FlowField>> flowOf(const CasePlan& plan, Progress& progress) {
+  if (!plan.sweeps.empty()) return std::shared_ptr<const FlowField>();
+  auto flow = readPatientFlow(plan.patientFile, plan.mannequins, {}, progress);
+  if (!flow) return passOn(flow.error());
+  if (flow->streams.empty()) return std::shared_ptr<const FlowField>();
+  return std::make_shared<const FlowField>(std::move(*flow));
+}
+
 void placeEcho(const Case& opened, CaseEcho& echo) {
   const auto& fileToWorld = opened.volume.fileToWorld;
   echo.volume.grid = placed(echo.volume.grid, fileToWorld);
@@ -102,6 +115,12 @@ void placeEcho(const Case& opened, CaseEcho& echo) {
   if (echo.tissue) echo.tissue->grid = placed(echo.tissue->grid, fileToWorld);
   if (echo.motion)
     for (TissueMotion::Mode& mode : echo.motion->modes) mode.grid = placed(mode.grid, fileToWorld);
+  if (echo.flow) {
+    FlowField moved = *echo.flow;
+    for (FlowStream& stream : moved.streams)
+      for (FlowNode& node : stream.line) node.place_mm = (fileToWorld * Point<frame::File>{node.place_mm}).at;
+    echo.flow = std::make_shared<const FlowField>(std::move(moved));
+  }
 }
 
 Result<CaseEcho> loadCaseVolume(const Case& opened, Progress& progress, const PreparationOptions& options) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "ew/core/numbers.h"
+#include "ew/phantom/flow.h"
 #include "ew/phantom/motion.h"
 #include "patient/anatomy.h"
 #include "patient/distance_cache.h"
@@ -201,6 +202,16 @@ Result<Bounds> readPatientBox(const std::filesystem::path& file, const std::file
   const Bounds box = readBox(JsonFields(whole->json, reading));
   if (reading.problem()) return passOn(*reading.problem());
   return box;
+}
+
+Result<FlowField> readPatientFlow(const std::filesystem::path& file, const std::filesystem::path& mannequins,
+                                  const ParameterValues& parameters, Progress& progress) {
+  const auto whole = phantom::readWholeRecipe(file, mannequins, parameters);
+  if (!whole) return passOn(whole.error());
+  if (!whole->json.contains("flow")) return FlowField{};
+  const auto patient = readPatient(file, mannequins, parameters, progress);
+  if (!patient) return passOn(patient.error());
+  return flowOf(**patient);
 }
 
 Result<std::uint64_t> fingerprintOfPatient(const std::filesystem::path& file, const std::filesystem::path& mannequins,

@@ -9,6 +9,7 @@
 #include "ew/core/fingerprint.h"
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
+#include "ew/imaging/flow_field.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/tissue_maps.h"
 #include "ew/imaging/tissue_motion.h"
@@ -93,6 +94,7 @@ struct CaseEcho {
   std::shared_ptr<TissueMotion> motion;  ///< of that tissue; null where the patient does not move
   std::vector<TissueAcoustics> tissues;  ///< of the labels, by rising label, as the recipe has them; none for a label file
   std::vector<Message> notes;
+  std::shared_ptr<const FlowField> flow = {};     ///< blood of that tissue; null where nobody says how it flows
   std::shared_ptr<const FrameStack> frames = {};  ///< recorded images, among the voxels of `volume`; null: there are none
   bool isDraft = false;                           ///< coarser than the case asks for; see PreparationOptions::draft
 };

@@ -42,4 +42,9 @@ struct TrueWaveform {
 [[nodiscard]] const FlowField& flowOf(const Patient& patient);
 [[nodiscard]] const std::vector<TrueStenosis>& stenosesOf(const Patient& patient);
 
+/// The same from the recipe alone. Where it says nothing of blood nothing is built, else all of the patient.
+/// @error as readPatient
+[[nodiscard]] Result<FlowField> readPatientFlow(const std::filesystem::path& file, const std::filesystem::path& mannequins = {},
+                                                const ParameterValues& parameters = {}, Progress& progress = noProgress());
+
 }  // namespace ew
