@@ -16,6 +16,7 @@ Result<std::optional<ContentsForImages>> readContentsFor(const Case& opened, con
   CaseContents contents;
   contents.voxels = ScanVoxels::asStored(std::make_shared<const Volume>(std::move(echo.volume)));
   contents.labels = std::make_shared<const Volume>(std::move(*echo.labels));
+  contents.flow = samplerOf(echo);
   contents.tissue = std::move(echo.tissue);
   contents.motion = std::move(echo.motion);
   contents.tissues = std::move(echo.tissues);

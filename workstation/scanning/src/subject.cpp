@@ -180,6 +180,10 @@ ScanSubject subjectOf(ScanVoxels voxels, std::string title) {
   return subject;
 }
 
+std::shared_ptr<const FlowSampler> samplerOf(const CaseEcho& echo) {
+  return echo.tissue && echo.flow ? std::make_shared<const FlowSampler>(*echo.flow) : nullptr;
+}
+
 Result<CaseContents> readContents(const Case& opened, Progress& progress, const PreparationOptions& options) {
   PartOfProgress reading(progress, 0.0, 0.95), bricking(progress, 0.95, 1.0);
   auto echo = loadCaseVolume(opened, reading, options);
@@ -192,10 +196,12 @@ Result<CaseContents> readContents(const Case& opened, Progress& progress, const 
       echo->frames ? Result<ScanVoxels>(ScanVoxels::asStored(std::move(volume))) : ScanVoxels::of(std::move(volume), bricking, when);
   if (!voxels) return passOn(voxels.error());
   voxels->readFrom(std::move(echo->frames));
+  auto flow = samplerOf(*echo);
   CaseContents contents{.voxels = std::move(*voxels),
                         .labels = {},
                         .tissue = std::move(echo->tissue),
                         .motion = std::move(echo->motion),
+                        .flow = std::move(flow),
                         .tissues = std::move(echo->tissues),
                         .fileToWorld = opened.volume.fileToWorld,
                         .notes = std::move(echo->notes),
@@ -225,6 +231,7 @@ ScanSubject subjectOf(const Case& edited, const CaseContents& contents) {
   subject.labels = contents.labels;
   subject.tissue = contents.tissue;
   subject.motion = contents.motion;
+  subject.flow = contents.flow;
   subject.scene = subject.known(sceneWithTissues(edited.scene, contents.tissues));
   subject.probes = edited.probes;
   subject.presets = presetsOf(edited);

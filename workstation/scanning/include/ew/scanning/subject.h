@@ -112,6 +112,8 @@ struct ScanSubject {
   [[nodiscard]] bool showsColour() const { return tissue && flow; }
   /// Whether images in such a scene change with the body. Motion is seen in live echoes alone.
   [[nodiscard]] bool movesIn(const Scene& asked) const { return tissue && motion && asked.liveEchoes && asked.motion; }
+  /// Whether images change with the time alone: the body moves in such a scene, or blood flows within a colour box.
+  [[nodiscard]] bool changesIn(const Scene& asked, const Knobs& knobs) const { return movesIn(asked) || (knobs.colour && showsColour()); }
 
   /// The same without what could not be shown of it whatever were found out (recordedTissueOf).
   [[nodiscard]] Scene possible(Scene asked) const {
@@ -153,6 +155,7 @@ struct CaseContents {
   std::shared_ptr<const Volume> labels;                   ///< null when the case has none
   std::shared_ptr<const TissueMaps> tissue;               ///< what live echoes are formed from; null when the case has none
   std::shared_ptr<const TissueMotion> motion = nullptr;   ///< of the tissue; null when it does not move
+  std::shared_ptr<const FlowSampler> flow = nullptr;      ///< of its blood; null when nobody says how it flows
   std::vector<TissueAcoustics> tissues = {};              ///< of the labels, as the recipe has them
   Transform<frame::World, frame::File> fileToWorld = {};  ///< the grids are placed with it
   std::vector<Message> notes;
@@ -160,6 +163,9 @@ struct CaseContents {
 };
 /// @error as loadCaseVolume; cancelled
 [[nodiscard]] Result<CaseContents> readContents(const Case& opened, Progress& progress, const PreparationOptions& options = {});
+
+/// What frames ask of an echo's blood; null where it has none, or no tissue.
+[[nodiscard]] std::shared_ptr<const FlowSampler> samplerOf(const CaseEcho& echo);
 
 /// The labels that a case of a file names, on a grid in the frame of `contents`, which were read before the case named these; null: none.
 /// @error as readLabelVolume, badField
