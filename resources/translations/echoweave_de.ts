@@ -759,6 +759,30 @@
         <translation>ein Objekt mit echo_level, thickness_mm, fall_deg, rough_db, rough_fall_deg, sheets, sheet_gap_mm und front_only</translation>
     </message>
     <message>
+        <source>an object with how blood flows: file</source>
+        <translation>ein Objekt, das sagt, wie Blut fließt: file</translation>
+    </message>
+    <message>
+        <source>a JSON file of streams of blood, mm in the frame of the volume&apos;s file, inside the case folder, as a relative path</source>
+        <translation>eine JSON-Datei mit Blutströmen, mm im Bezugssystem der Volumendatei, im Fallordner, als relativer Pfad</translation>
+    </message>
+    <message>
+        <source>two numbers for each harmonic</source>
+        <translation>zwei Zahlen je Harmonischer</translation>
+    </message>
+    <message>
+        <source>so few that all streams have at most %1 nodes</source>
+        <translation>so wenige, dass alle Ströme zusammen höchstens %1 Knoten haben</translation>
+    </message>
+    <message>
+        <source>with the streams before it too long and too wide to be looked up</source>
+        <translation>mit den Strömen davor zu lang und zu weit, um nachgeschlagen zu werden</translation>
+    </message>
+    <message>
+        <source>streams of a body</source>
+        <translation>Ströme eines Körpers</translation>
+    </message>
+    <message>
         <source>an object with how the body moves: file, fields and the rhythms breathing, pulse and bowel that it has</source>
         <translation>ein Objekt, das sagt, wie der Körper sich bewegt: file, fields und die Rhythmen breathing, pulse und bowel, die er hat</translation>
     </message>
@@ -775,8 +799,8 @@
         <translation>ein Objekt mit rhythm, pause und tidal</translation>
     </message>
     <message>
-        <source>an object with what forms the echoes of drawn tissue beside volume.level, as examinations of virtual patients have it: surfaces (distance, kind, surfaces) and motion; never beside a recipe, which makes its own</source>
-        <translation>ein Objekt mit dem, woraus neben volume.level die Echos gezeichneten Gewebes entstehen, wie Prüfungen mit virtuellen Patienten es haben: Grenzflächen (distance, kind, surfaces) und Bewegung (motion); nie neben einem Rezept, das seine eigenen macht</translation>
+        <source>an object with what forms the echoes of drawn tissue beside volume.level, as examinations of virtual patients have it: surfaces (distance, kind, surfaces), motion and flow; never beside a recipe, which makes its own</source>
+        <translation>ein Objekt mit dem, woraus neben volume.level die Echos gezeichneten Gewebes entstehen, wie Prüfungen mit virtuellen Patienten es haben: Grenzflächen (distance, kind, surfaces), Bewegung (motion) und Blutfluss (flow); nie neben einem Rezept, das seine eigenen macht</translation>
     </message>
     <message>
         <source>given, and the volume has no level</source>

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "access/trainee_view.h"
+#include "case/flow_file.h"
 #include "ew/imaging/settings_json.h"
 #include "ew/library/case_contents.h"
 #include "ew/library/case_echoes.h"
@@ -140,6 +141,30 @@ std::size_t expectSamePixels(const ScanSubject& own, const ScanSubject& theirs) 
   return seen.size();
 }
 
+/// The same blood: to the last bit, for the same numbers give the same tables.
+void expectSameBlood(const ScanSubject& own, const ScanSubject& theirs) {
+  ASSERT_EQ(own.flow == nullptr, theirs.flow == nullptr);
+  if (!own.flow) return;
+  EXPECT_EQ(theirs.flow->bounds().lowest_mm, own.flow->bounds().lowest_mm);
+  EXPECT_EQ(theirs.flow->bounds().highest_mm, own.flow->bounds().highest_mm);
+  EXPECT_EQ(theirs.flow->bytes(), own.flow->bytes());
+  FlowMoment here, there;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::size_t flowing = 0;
+  for (int n = 0; n < 4000; ++n) {
+    own.flow->prepare(0.37 * n, here);
+    theirs.flow->prepare(0.37 * n, there);
+    const Bounds& box = own.flow->bounds();
+    const glm::dvec3 p_mm = box.lowest_mm + (box.highest_mm - box.lowest_mm) * glm::dvec3(share(random), share(random), share(random));
+    const BloodVelocity ours = own.flow->at(here, p_mm), shown = theirs.flow->at(there, p_mm);
+    ASSERT_EQ(shown.mean_mmPerS, ours.mean_mmPerS);
+    ASSERT_EQ(shown.turbulence_mmPerS, ours.turbulence_mmPerS);
+    flowing += glm::length(ours.mean_mmPerS) > 1.0 ? 1 : 0;
+  }
+  EXPECT_GT(flowing, 5U);
+}
+
 /// The same of a virtual patient: whatever forms images is alike, and the comparison sees what it is about.
 std::size_t expectSamePatient(const ScanSubject& own, const ScanSubject& theirs) {
   const bool isThere = own.tissue && theirs.tissue && own.motion && theirs.motion;
@@ -153,6 +178,7 @@ std::size_t expectSamePatient(const ScanSubject& own, const ScanSubject& theirs)
   EXPECT_EQ(theirs.placedTissue, own.placedTissue);
   EXPECT_EQ(theirs.placedLabels, own.placedLabels);
   EXPECT_EQ(theirs.placedGrid, own.placedGrid);
+  expectSameBlood(own, theirs);
   ScanSubject bare = own;
   auto maps = std::make_shared<TissueMaps>(*own.tissue);
   maps->surfaces.clear();
@@ -191,6 +217,15 @@ void makeTwins(const fs::path& folder) {
   patient["shapes"] = {{{"name", "SECRETVESSEL"}, {"tube", {{"points", {{0, -18, -40, 4}, {0, -16, 40, 5}}}}}}};
   patient["motion"] = {{"breathing", {{"displacement_mm", {0, 3, -8}}, {"held_depth_mm", 4}, {"free_depth_mm", 25}, {"tidal", 0.3}}},
                        {"pulse", {{"vessels", {{{"of", "SECRETVESSEL"}, {"diameter_growth_mm", 1}}}}}}};
+  patient["flow"] = {{"waves", {{{"name", "SECRETWAVE"}, {"samples", {1, 1.4, 1, 0.6}}}}},
+                     {"streams",
+                      {{{"name", "SECRETSTREAM"},
+                        {"of", "SECRETVESSEL"},
+                        {"flow_ml_per_min", 410},
+                        {"wave", "SECRETWAVE"},
+                        {"bluntness", 3.7},
+                        {"pulse_wave_m_per_s", 6.1},
+                        {"stenosis", {{"at_mm", {0, -17, 0}}, {"diameter_lost", 0.6}}}}}}};
   patient["planes"][0]["shows"] = {"SECRETTWINONE"};
   patient.erase("measurements");
   writeText(folder / "patient.json", patient.dump());
@@ -285,19 +320,85 @@ TEST_F(ExaminationOfTwins, HasOneSurfaceOfOrgansAlikeButWhereTheyTouch) {
 TEST_F(ExaminationOfTwins, NamesNothingInAnyOfItsFiles) {
   ASSERT_TRUE(exportBundle(examined(), examined().parent_path() / "named.ewcase"));
   const auto files = filesInBundle(examined().parent_path() / "named.ewcase");
-  for (const char* name :
-       {"SECRETTWINONE", "SECRETTWINTWO", "SECRETFAR", "SECRETOTHER", "SECRETDARK", "SECRETVESSEL", "SECRETSTONE", "SECRET"}) {
+  for (const char* name : {"SECRETTWINONE", "SECRETTWINTWO", "SECRETFAR", "SECRETOTHER", "SECRETDARK", "SECRETVESSEL", "SECRETSTREAM",
+                           "SECRETWAVE", "SECRETSTONE", "SECRET"}) {
     EXPECT_EQ(placeOf(name, files), "") << name;
   }
   EXPECT_EQ(placeOf("\"name\"", {{"case.json", files.at("case.json")}}), "") << "surfaces have none";
   EXPECT_TRUE(files.contains("echoes/motion.bin"));
+  EXPECT_TRUE(files.contains("echoes/flow.json"));
+}
+
+TEST_F(ExaminationOfTwins, CarriesItsBloodToTheLastBitWithoutNames) {
+  const auto own = loadCaseVolume(*loadCase(trained()), noProgress()), theirs = loadCaseVolume(*loadCase(examined()), noProgress());
+  ASSERT_TRUE(own && theirs && own->flow && theirs->flow);
+  FlowField unnamed = *own->flow;
+  ASSERT_EQ(unnamed.streams.size(), 1U);
+  EXPECT_EQ(unnamed.streams.front().name, "SECRETSTREAM");
+  const auto narrowed = [](const FlowNode& node) { return node.jet < 1.0 && node.backflow > 0.0 && node.turbulence > 0.0; };
+  EXPECT_TRUE(std::any_of(unnamed.streams.front().line.begin(), unnamed.streams.front().line.end(), narrowed));
+  EXPECT_FALSE(unnamed.streams.front().wave.harmonics.empty());
+  unnamed.streams.front().name.clear();
+  EXPECT_EQ(*theirs->flow, unnamed);
+  EXPECT_TRUE(subjectIn(examined()).showsColour());
+}
+
+TEST(FlowFile, HoldsAnyFlowToTheLastBit) {
+  EXPECT_TRUE(rc::check("any flow", [] {
+    const auto number = [](double lowest, double highest) {
+      return lowest + (highest - lowest) * *rc::gen::inRange(0, 1000003) / 1000003.0;
+    };
+    FlowField flow;
+    flow.density_kgPerM3 = number(900.0, 1200.0);
+    flow.viscosity_mPaS = number(1.0, 20.0);
+    if (*rc::gen::arbitrary<bool>()) flow.rhythms.pulse = BodyRhythm{number(0.3, 2.0), number(0.0, 0.4)};
+    if (*rc::gen::arbitrary<bool>()) flow.rhythms.breathing = BodyRhythms::Breathing{{number(1.0, 9.0), 0.1}, number(0.0, 0.9), 0.3};
+    if (*rc::gen::arbitrary<bool>()) flow.rhythms.bowel = BodyRhythm{number(2.0, 60.0), number(0.0, 0.4)};
+    for (int streams = *rc::gen::inRange(1, 4); streams > 0; --streams) {
+      FlowStream& stream = flow.streams.emplace_back();
+      stream.name = *rc::gen::element<std::string>("", "a", "vein \"x\"");
+      stream.flow_mm3PerS = number(-9000.0, 9000.0);
+      stream.wave.mean = number(-2.0, 2.0);
+      for (int n = *rc::gen::inRange(0, 17); n > 0; --n) stream.wave.harmonics.emplace_back(number(-2.0, 2.0), number(-2.0, 2.0));
+      stream.bluntness = number(2.0, 50.0);
+      stream.pulseWave_mmPerS = *rc::gen::element(0.0, number(500.0, 30000.0));
+      stream.delay_s = number(-1.0, 1.0);
+      stream.breathShare = number(-1.0, 1.0);
+      const bool isNarrowed = *rc::gen::arbitrary<bool>();
+      for (int n = *rc::gen::inRange(2, 9); n > 0; --n) {
+        FlowNode& node = stream.line.emplace_back();
+        node.place_mm = {number(-100.0, 100.0), number(-100.0, 100.0), number(-100.0, 100.0)};
+        node.radius_mm = number(0.1, 12.0);
+        if (isNarrowed) node.jet = number(0.1, 1.0);
+        if (isNarrowed) node.backflow = number(0.0, 1.0);
+        if (isNarrowed) node.turbulence = number(0.0, 1.0);
+      }
+    }
+    const json document = json::parse(fileJsonOf(flow).dump());
+    JsonReading reading(verbatim("flow.json"));
+    const FlowField read = flowIn(JsonFields(document, reading));
+    RC_ASSERT(reading.good());
+    RC_ASSERT(read == flow);
+  }));
+}
+
+TEST(FlowFile, LeavesOutStreamsThatPassFarFromTheVolume) {
+  const Bounds box{glm::dvec3(-10.0), glm::dvec3(10.0)};
+  const auto stream = [](const glm::dvec3& from_mm, const glm::dvec3& to_mm, double radius_mm) {
+    return FlowStream{.name = "s", .line = {{.place_mm = from_mm, .radius_mm = radius_mm}, {.place_mm = to_mm, .radius_mm = radius_mm}}};
+  };
+  FlowField flow;
+  flow.streams = {stream({-50, 0, 0}, {50, 0, 0}, 2.0), stream({22.5, 0, 0}, {30, 0, 0}, 2.0), stream({22.5, 0, 0}, {30, 0, 0}, 3.0),
+                  stream({0, 60, 0}, {0, 90, 0}, 4.0)};
+  const FlowField within = flowWithin(flow, box, 10.0);
+  EXPECT_EQ(within.streams, (std::vector<FlowStream>{flow.streams[0], flow.streams[2]})) << "one runs through, one's wall comes near";
 }
 
 TEST_F(ExaminationOfTwins, IsWholeAndUsesAllItsFiles) {
   for (const Error& problem : validateCase(examined())) ADD_FAILURE() << problem;
   const auto opened = loadCase(examined());
   ASSERT_TRUE(opened);
-  EXPECT_EQ(echoFilesOf(*opened).size(), 3u);
+  EXPECT_EQ(echoFilesOf(*opened).size(), 4u);
   EXPECT_EQ(unusedFiles(*opened), std::vector<std::string>{});
   EXPECT_EQ(*caseFromManifest(manifestOf(*opened), opened->folder), *opened);
 }
@@ -429,6 +530,63 @@ TEST_F(ExaminationOfTwins, IsRefusedWithNumbersBeyondTheirRange) {
   manifest["volume"].erase("level");
   writeText(folder / "case.json", manifest.dump());
   expectRefused(folder, "'echoes' in case.json");
+}
+
+TEST_F(ExaminationOfTwins, IsRefusedWithAFlowThatIsNone) {
+  struct Wrong {
+    const char* place;
+    json value;
+    const char* named;
+  };
+  const json endless(250000, 1.0);
+  for (const Wrong& wrong : {Wrong{"/streams/0/radii_mm/1", 0, "radii_mm"},
+                             Wrong{"/streams/0/radii_mm/1", -3, "radii_mm"},
+                             Wrong{"/streams/0/radii_mm/1", nullptr, "radii_mm"},
+                             Wrong{"/streams/0/radii_mm", {4}, "radii_mm"},
+                             Wrong{"/streams/0/radii_mm", endless, "radii_mm"},
+                             Wrong{"/streams/0/places_mm", {0, 0, 0, 0, 0}, "places_mm"},
+                             Wrong{"/streams/0/places_mm/3", 1e9, "places_mm"},
+                             Wrong{"/streams/0/jets", {1, 1}, "jets"},
+                             Wrong{"/streams/0/jets/0", 0, "jets"},
+                             Wrong{"/streams/0/backflows/0", 2, "backflows"},
+                             Wrong{"/streams/0/turbulences/0", -1, "turbulences"},
+                             Wrong{"/streams/0/bluntness", 0, "bluntness"},
+                             Wrong{"/streams/0/flow_mm3_per_s", "much", "flow_mm3_per_s"},
+                             Wrong{"/streams/0/mean", 1e300, "mean"},
+                             Wrong{"/streams/0/harmonics", {1, 2, 3}, "harmonics"},
+                             Wrong{"/streams/0/harmonics", json(500, 0.1), "harmonics"},
+                             Wrong{"/streams/0/delay_s", nullptr, "delay_s"},
+                             Wrong{"/streams/0/breath", 7, "breath"},
+                             Wrong{"/streams/0/other", 1, "other"},
+                             Wrong{"/streams", json::array(), "streams"},
+                             Wrong{"/streams", json(3000, json::object()), "streams"},
+                             Wrong{"/streams", 4, "streams"},
+                             Wrong{"/rhythms/pulse/period_s", 0, "rhythms.pulse.period_s"},
+                             Wrong{"/rhythms", 1, "rhythms"},
+                             Wrong{"/density_kg_per_m3", 1, "density_kg_per_m3"},
+                             Wrong{"/viscosity_mpa_s", 0, "viscosity_mpa_s"}}) {
+    const fs::path folder = copied();
+    json flow = json::parse(textOf(folder / "echoes/flow.json"));
+    flow[json::json_pointer(wrong.place)] = wrong.value;
+    writeText(folder / "echoes/flow.json", flow.dump());
+    SCOPED_TRACE(wrong.place);
+    expectRefused(folder, wrong.named);
+    expectRefused(folder, "echoes/flow.json");
+  }
+  // So wide and so many that looking them up would take the memory of the machine.
+  const fs::path folder = copied();
+  json flow = json::parse(textOf(folder / "echoes/flow.json"));
+  json& stream = flow["streams"][0];
+  for (const char* each : {"jets", "backflows", "turbulences"}) stream.erase(each);
+  stream["radii_mm"] = json(10000, 900.0);
+  stream["places_mm"] = json::array();
+  for (int n = 0; n < 10000; ++n) stream["places_mm"].insert(stream["places_mm"].end(), {0.01 * n, 0.0, 0.0});
+  writeText(folder / "echoes/flow.json", flow.dump());
+  expectRefused(folder, "too wide to be looked up");
+  json echoes = echoesOf(folder);
+  echoes["flow"]["file"] = "../case/case.json";
+  setEchoes(folder, echoes);
+  expectRefused(folder, "echoes.flow.file");
 }
 
 TEST_F(ExaminationOfTwins, SurvivesAnyBytes) {

@@ -129,7 +129,7 @@ class Making {
     TissueMaps& maps = *echo->tissue;
     if (auto added = add({maps.grid, std::move(maps.level), {}}, view_.volume.level, noProgress()); !added) return added;
     if (maps.isRecorded) return {};
-    return addEchoes(view_, aside_, plainSurfaces(std::move(maps)), echo->motion.get(), echoing);
+    return addEchoes(view_, aside_, plainSurfaces(std::move(maps)), echo->motion.get(), echo->flow.get(), echoing);
   }
 
   /// Placed as the volume is. What the file says beside the images and their places stays behind.

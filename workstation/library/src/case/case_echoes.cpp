@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "case/echo_files.h"
+#include "case/flow_file.h"
 #include "case/kept_maps.h"
 #include "case/kept_motion.h"
 #include "case/manifest.h"
@@ -18,6 +19,7 @@
 #include "ew/core/foreign_json.h"
 #include "ew/core/json_fields.h"
 #include "ew/imaging/tissue_level.h"
+#include "ew/io/json_files.h"
 #include "ew/io/safe_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/content_name.h"
@@ -31,6 +33,9 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kMotionName = "echoes/motion.bin";
+constexpr const char* kFlowName = "echoes/flow.json";
+constexpr std::size_t kMostFlow_bytes = std::size_t{64} << 20;
+constexpr double kFlowMargin_mm = 10.0;  // around the maps: tissue moves
 constexpr std::size_t kMostSurfaces = 255, kMostFields = 128;
 constexpr std::size_t kMostNodes = std::size_t{1} << 26;  // of all fields: 800 MB, as the cache takes of one
 constexpr double kFarthestShift_mm = 300.0;
@@ -50,6 +55,7 @@ struct EchoFields {
   std::vector<ReflectingSurface> surfaces;
   std::string motionFile;
   std::optional<TissueMotion> motion;  ///< fields without their shifts
+  std::string flowFile;
 };
 
 ReflectingSurface surfaceIn(const JsonFields& object) {
@@ -65,8 +71,6 @@ ReflectingSurface surfaceIn(const JsonFields& object) {
   return surface;
 }
 
-BodyRhythm rhythmIn(const JsonFields& object) { return {object.number("period_s", 0.1, 120.0), object.number("variation", 0.0, 0.4)}; }
-
 glm::dvec3 triple(const JsonFields& object, std::string_view key, double lowest, double highest) {
   const std::vector<double> numbers = object.numbers(key, 3, 3, lowest, highest);
   return numbers.size() == 3 ? glm::dvec3(numbers[0], numbers[1], numbers[2]) : glm::dvec3(1.0);
@@ -74,13 +78,7 @@ glm::dvec3 triple(const JsonFields& object, std::string_view key, double lowest,
 
 TissueMotion motionIn(const JsonFields& object) {
   TissueMotion motion;
-  if (object.has("breathing")) {
-    const JsonFields breathing = object.object("breathing");
-    motion.rhythms.breathing = {rhythmIn(breathing.object("rhythm")), breathing.number("pause", 0.0, 0.9),
-                                breathing.number("tidal", 0.0, 1.0)};
-  }
-  if (object.has("pulse")) motion.rhythms.pulse = rhythmIn(object.object("pulse"));
-  if (object.has("bowel")) motion.rhythms.bowel = rhythmIn(object.object("bowel"));
+  motion.rhythms = rhythmsIn(object);
   std::size_t nodes = 0;
   for (const JsonFields& field : object.objects("fields", 0, kMostFields)) {
     TissueMotion::Mode& mode = motion.modes.emplace_back();
@@ -110,6 +108,7 @@ Result<EchoFields> echoFieldsIn(const json& echoes) {
     read.motionFile = motion.text("file", {}, 1, 1000);
     read.motion = motionIn(motion);
   }
+  if (object.has("flow")) read.flowFile = object.object("flow").text("file", {}, 1, 1000);
   if (reading.problem()) return passOn(*reading.problem());
   return read;
 }
@@ -194,6 +193,27 @@ Result<TissueMotion> readMotion(const Case& opened, const EchoFields& fields) {
   return motion;
 }
 
+/// @error as fileOfCase and readJsonFile; badField
+Result<FlowField> readFlow(const Case& opened, const EchoFields& fields) {
+  const auto file = fileOfCase(opened.folder, fields.flowFile, "echoes.flow.file");
+  if (!file) return passOn(file.error());
+  const Message where = verbatim(fields.flowFile);
+  const auto document = readJsonFile(*file, where, kMostFlow_bytes);
+  if (!document) return passOn(document.error());
+  JsonReading reading(where);
+  FlowField flow = flowIn(JsonFields(*document, reading));
+  if (reading.problem()) return passOn(*reading.problem());
+  return flow;
+}
+
+/// Without the names of its streams, which say what a trainee may be asked for.
+Result<void> writeFlow(FlowField flow, const fs::path& file) {
+  for (FlowStream& stream : flow.streams) stream.name.clear();
+  std::error_code ignored;
+  fs::create_directories(file.parent_path(), ignored);
+  return writeFileSafely(file, fileJsonOf(flow).dump());
+}
+
 /// The shifts of all fields, one after another.
 Result<void> writeShifts(const TissueMotion& motion, const fs::path& file) {
   std::error_code ignored;
@@ -227,7 +247,8 @@ ordered_json jsonOf(const TissueMotion& motion) {
 std::vector<std::string> echoFilesOf(const Case& opened) {
   std::vector<std::string> files;
   const json& echoes = memberOf(opened.otherFields, kEchoesField);
-  for (std::string file : {textAt(echoes, "distance"), textAt(echoes, "kind"), textAt(memberOf(echoes, "motion"), "file")})
+  for (std::string file : {textAt(echoes, "distance"), textAt(echoes, "kind"), textAt(memberOf(echoes, "motion"), "file"),
+                           textAt(memberOf(echoes, "flow"), "file")})
     if (!file.empty()) files.push_back(std::move(file));
   return files;
 }
@@ -251,6 +272,8 @@ std::vector<Error> problemsOfEchoes(const Case& opened) {
       if (auto found = volumeOfCase(folder, *file, field); !found) problems.push_back(found.error());
   if (!fields->motionFile.empty())
     if (auto found = fileOfCase(folder, fields->motionFile, "echoes.motion.file"); !found) problems.push_back(found.error());
+  if (!fields->flowFile.empty())
+    if (auto found = fileOfCase(folder, fields->flowFile, "echoes.flow.file"); !found) problems.push_back(found.error());
   return problems;
 }
 
@@ -263,14 +286,21 @@ Result<CaseTissue> readTissue(const Case& opened, Volume level, const Grid& volu
   if (read.maps->grid != volume) return onAnotherGrid("volume.level", opened.volume.level);
   read.maps->isRecorded = false;
   if (auto surfaces = readSurfaces(opened, *fields, *read.maps, progress, notes); !surfaces) return passOn(surfaces.error());
-  if (!fields->motion) return read;
-  auto motion = readMotion(opened, *fields);
-  if (!motion) return passOn(motion.error());
-  read.motion = std::make_shared<TissueMotion>(std::move(*motion));
+  if (fields->motion) {
+    auto motion = readMotion(opened, *fields);
+    if (!motion) return passOn(motion.error());
+    read.motion = std::make_shared<TissueMotion>(std::move(*motion));
+  }
+  if (!fields->flowFile.empty()) {
+    auto flow = readFlow(opened, *fields);
+    if (!flow) return passOn(flow.error());
+    read.flow = std::make_shared<const FlowField>(std::move(*flow));
+  }
   return read;
 }
 
-Result<void> addEchoes(Case& into, const fs::path& folder, const TissueMaps& maps, const TissueMotion* motion, Progress& progress) {
+Result<void> addEchoes(Case& into, const fs::path& folder, const TissueMaps& maps, const TissueMotion* motion, const FlowField* flow,
+                       Progress& progress) {
   PartOfProgress first(progress, 0.0, 0.5), second(progress, 0.5, 1.0);
   ordered_json echoes = ordered_json::object();
   if (!maps.surfaces.empty() && !maps.surfaceDistance.empty()) {
@@ -289,6 +319,13 @@ Result<void> addEchoes(Case& into, const fs::path& folder, const TissueMaps& map
   if (motion != nullptr) {
     if (auto written = writeShifts(*motion, folder / kMotionName); !written) return written;
     echoes["motion"] = jsonOf(*motion);
+  }
+  if (flow != nullptr) {
+    FlowField within = flowWithin(*flow, boundsOf(maps.grid), kFlowMargin_mm);
+    if (!within.streams.empty()) {
+      if (auto written = writeFlow(std::move(within), folder / kFlowName); !written) return written;
+      echoes["flow"] = {{"file", kFlowName}};
+    }
   }
   into.otherFields[kEchoesField] = json(echoes);
   return {};

@@ -84,6 +84,7 @@ Result<CaseEcho> fromFiles(const Case& opened, const fs::path& file, Progress& p
     if (!tissue) return passOn(tissue.error());
     read.tissue = std::move(tissue->maps);
     read.motion = std::move(tissue->motion);
+    read.flow = std::move(tissue->flow);
   }
   return read;
 }
