@@ -142,4 +142,33 @@ TEST(Replay, KnowsHowManyImagesStillShow) {
   EXPECT_EQ(Replay::history(log, 240), 120U) << "four seconds of M-mode";
 }
 
+TEST(FramesToSettle, AreThoseOfTheSlowestPersistenceAndOfTheImageBefore) {
+  Knobs knobs;
+  EXPECT_EQ(framesToSettle(knobs), 0U);
+  knobs.persistence = 0.5;
+  EXPECT_EQ(framesToSettle(knobs), 10U) << "0.5^9 of 255 grey levels is less than half of one";
+  knobs.colour.emplace();
+  knobs.colour->persistence = 0.0;
+  EXPECT_EQ(framesToSettle(knobs), 10U);
+  knobs.persistence = 0.0;
+  EXPECT_EQ(framesToSettle(knobs), 1U) << "what moved since the image before shows in colour";
+  knobs.colour->persistence = 0.5;
+  EXPECT_EQ(framesToSettle(knobs), 11U);
+  knobs.persistence = 0.9;
+  EXPECT_EQ(framesToSettle(knobs), 61U);
+}
+
+TEST(Replay, GoesAsFarBackAsColourRemembers) {
+  ScanLog log;
+  for (int n = 0; n < 40; ++n) {
+    ScanState state = test::movingState(3);
+    state.knobs = {};
+    state.time_s = n / 30.0;
+    if (n >= 20) state.knobs.colour = ColourDoppler{.persistence = 0.5};
+    log.addFrame(state);
+  }
+  EXPECT_EQ(Replay::history(log, 15), 0U);
+  EXPECT_EQ(Replay::history(log, 35), 11U);
+}
+
 }  // namespace ew::replay_test

@@ -206,6 +206,25 @@ TEST(ScanSubject, MovingTheVolumeAndTheProbeTogetherChangesNothing) {
   EXPECT_FALSE(scanner.seesVolume(state.pose));
 }
 
+TEST(ScanSubject, ChangesWithTheBodyAndWithBloodWithinAColourBox) {
+  ScanSubject subject = test::livingSubject();
+  Knobs plain, colour;
+  colour.colour.emplace();
+  Scene still, moving;
+  moving.liveEchoes.emplace();
+  moving.motion.emplace();
+  EXPECT_TRUE(subject.changesIn(moving, plain));
+  EXPECT_FALSE(subject.changesIn(still, plain));
+  EXPECT_FALSE(subject.changesIn(still, colour)) << "nobody knows how its blood flows";
+  FlowField flow;
+  flow.streams = {{.name = "a", .line = {{.place_mm = {-9, 0, 0}, .radius_mm = 3.0}, {.place_mm = {9, 0, 0}, .radius_mm = 3.0}}}};
+  subject.flow = std::make_shared<const FlowSampler>(flow);
+  EXPECT_TRUE(subject.changesIn(still, colour));
+  EXPECT_FALSE(subject.changesIn(still, plain));
+  subject.tissue = nullptr;
+  EXPECT_FALSE(subject.changesIn(still, colour));
+}
+
 TEST(ScanSubject, ARecordedVolumeIsSlicedUntilItsLevelIsKnownAndSomebodyAsks) {
   ScanSubject subject = test::waveSubject();
   ScanState state = test::movingState(60);

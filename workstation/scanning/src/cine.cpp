@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kPerAllocation = 32;  // what the heap and a shared pointer add
 
-/// An image without persistence and strip: its maker remembers nothing before it, and nothing of it.
-bool remembersNothing(const Knobs& knobs) { return !(knobs.persistence > 0.0) && knobs.mode == DisplayMode::bMode; }
+/// An image without persistence, colour and strip: its maker remembers nothing before it, and nothing of it.
+bool remembersNothing(const Knobs& knobs) { return framesToSettle(knobs) == 0 && knobs.mode == DisplayMode::bMode; }
 
 }  // namespace
 
@@ -26,8 +26,8 @@ std::size_t CineRing::bytesOf(const Settings& settings) {
 std::size_t CineRing::bytesOf(const FrameMemory& memory) {
   const ImageView<const std::uint8_t> strip = memory.strip.image();
   const auto width = static_cast<std::size_t>(strip.width), height = static_cast<std::size_t>(strip.height);
-  return sizeof(FrameMemory) + kPerAllocation + memory.persistence.levels.capacity() * sizeof(std::uint16_t) + (width + 2) * height +
-         width * sizeof(float);
+  return sizeof(FrameMemory) + kPerAllocation + memory.persistence.levels.capacity() * sizeof(std::uint16_t) +
+         memory.colour.sums.capacity() * sizeof(float) + (width + 2) * height + width * sizeof(float);
 }
 
 std::size_t CineRing::bytesOf(const Frame& frame) { return sizeof(Frame) + kPerAllocation + frame.gaps_mm.capacity() * sizeof(float); }
@@ -160,7 +160,7 @@ std::size_t CineForming::aim(const CineRing& ring, std::size_t frame, glm::ivec2
   std::size_t start = ring.startOf(wanted);
   if (!mayRecall_) {
     // Whatever was remembered has another size, or other levels.
-    const std::size_t persisting = framesToSettle(at.settings->knobs.persistence);
+    const std::size_t persisting = framesToSettle(at.settings->knobs);
     const double sweep_s = at.settings->knobs.mode != DisplayMode::bMode ? at.settings->knobs.mSweep_s : 0.0;
     start = wanted;
     while (start > 0 && !ring.frames_[start].isFirst && (wanted - start < persisting || at.time_s - ring.frames_[start].time_s < sweep_s))

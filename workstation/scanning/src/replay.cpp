@@ -14,7 +14,7 @@ Replay::Replay(const ScanLog& log, ScanSubject subject, int threads) : log_(log)
 
 std::size_t Replay::history(const ScanLog& log, std::size_t frame) {
   const ScanState state = log.frame(frame);
-  const std::size_t persisting = framesToSettle(state.knobs.persistence);
+  const std::size_t persisting = framesToSettle(state.knobs);
   std::size_t before = std::min(frame, persisting);
   if (state.knobs.mode != DisplayMode::bMode) {
     const std::size_t first = log.frameAt(state.time_s - state.knobs.mSweep_s);

@@ -20,9 +20,13 @@ bool readsVoxels(const Plan& plan) {
 
 }  // namespace
 
-std::size_t framesToSettle(double persistence) {
-  constexpr double kMost = 0.95;
-  return persistence > 0.0 ? 1 + static_cast<std::size_t>(std::ceil(std::log(0.5 / 255.0) / std::log(std::min(persistence, kMost)))) : 0;
+std::size_t framesToSettle(const Knobs& knobs) {
+  const auto until = [](double persistence) {
+    constexpr double kMost = 0.95;
+    return persistence > 0.0 ? 1 + static_cast<std::size_t>(std::ceil(std::log(0.5 / 255.0) / std::log(std::min(persistence, kMost)))) : 0;
+  };
+  const std::size_t grey = until(knobs.persistence);
+  return knobs.colour ? std::max(grey, 1 + until(knobs.colour->persistence)) : grey;
 }
 
 void Scanner::show(ScanSubject subject) {

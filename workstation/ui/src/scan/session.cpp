@@ -184,8 +184,12 @@ void Session::setCaseScene(const Scene& asked) {
 
 bool Session::changesByItself() const {
   if (!subject() || !scan_.isLive() || scan_.image.isEmpty()) return false;
-  return (subject()->movesIn(scan_.live.scene) && breath_.movesAfter(scan_.shown.time_s)) || scan_.live.scene.noise ||
-         scan_.live.knobs.mode != DisplayMode::bMode || scan_.unsettledFrames > 0 || frames_.isLowered() ||
+  if (subject()->changesIn(scan_.live.scene, scan_.live.knobs)) {
+    // A body that moves may be held still; blood flows on.
+    const bool showsBlood = scan_.live.knobs.colour && subject()->showsColour();
+    if (showsBlood || breath_.movesAfter(scan_.shown.time_s)) return true;
+  }
+  return scan_.live.scene.noise || scan_.live.knobs.mode != DisplayMode::bMode || scan_.unsettledFrames > 0 || frames_.isLowered() ||
          probeControl_.movesAfter(scan_.shown.time_s);
 }
 
@@ -256,8 +260,7 @@ void Session::makeImageNow() {
   scan_.shown = std::move(next);
   // Anything but a frame that came by itself may have changed what persistence has to forget.
   if (isLive) {
-    scan_.unsettledFrames =
-        isOwnFrame_ ? std::max<std::size_t>(1, scan_.unsettledFrames) - 1 : framesToSettle(scan_.live.knobs.persistence);
+    scan_.unsettledFrames = isOwnFrame_ ? std::max<std::size_t>(1, scan_.unsettledFrames) - 1 : framesToSettle(scan_.live.knobs);
   }
   {
     const HandlerWatch::Part part("the image of the scan");

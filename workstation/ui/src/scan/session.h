@@ -17,9 +17,9 @@
 namespace ew::ui {
 
 /// The scan in the window: a Scanner, where its poses come from, and when the next image is due. No widgets. Every change asks for a new
-/// image; changes of one turn of the event loop make one image. Where the image changes by
-/// itself (noise, a persistence that has not settled, M-mode, a lowered quality) frames keep coming while somebody watches, at most about
-/// 28 a second and never more than half of the time, so that the window stays responsive: frames are skipped, not queued.
+/// image; changes of one turn of the event loop make one image. Where the image changes by itself (noise, blood in colours, a persistence
+/// that has not settled, M-mode, a lowered quality) frames keep coming while somebody watches, at most about 28 a second and never more
+/// than half of the time, so that the window stays responsive: frames are skipped, not queued.
 /// Its topics are objects of their own, each with its signals; here is what holds them together: the subject, the image, and what is
 /// shown in place of a live one.
 class Session final : public QObject {

@@ -11,8 +11,9 @@
 
 namespace ew {
 
-/// Images until persistence shows less than half a grey level of what was there before.
-[[nodiscard]] std::size_t framesToSettle(double persistence);
+/// Images until persistence, of grey levels and of a colour box, shows less than half a grey level of what was there before. A colour box
+/// takes one more: what moved since the image before shows in it.
+[[nodiscard]] std::size_t framesToSettle(const Knobs& knobs);
 
 /// Makes the images of one subject, one after another. No window, no clock, no thread of its own.
 class Scanner {
