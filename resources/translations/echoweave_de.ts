@@ -7439,6 +7439,14 @@
         <translation>Der Körper steht still, weil die Szene keine lebendigen Echos oder keine Bewegung hat; geben Sie eine mit --scene an.</translation>
     </message>
     <message>
+        <source>This case does not move; --breath and --pulse change nothing.</source>
+        <translation>Dieser Fall bewegt sich nicht; --breath und --pulse ändern nichts.</translation>
+    </message>
+    <message>
+        <source>This case does not say how blood flows, so the image has no colour; a virtual patient whose recipe has flow shows it.</source>
+        <translation>Dieser Fall sagt nicht, wie Blut fließt, also hat das Bild keine Farbe; ein virtueller Patient, dessen Rezept flow hat, zeigt sie.</translation>
+    </message>
+    <message>
         <source>This case does not move; --time, --breath and --pulse change nothing.</source>
         <translation>Dieser Fall bewegt sich nicht; --time, --breath und --pulse ändern nichts.</translation>
     </message>

@@ -122,6 +122,14 @@ TEST_F(ScanEffects, OffSkinIsReadStrictlyAndSaysWhenNothingShowsIt) {
   EXPECT_NE(unseen.err.find("contact"), std::string::npos) << unseen.err;
 }
 
+TEST_F(ScanEffects, SaysThatNothingIsKnownOfBloodWhereColourIsAskedFor) {
+  const auto asked = scan("{}", {"-o", folder / "o.mha"}, R"({"colour": {"persistence": 0.2}})");
+  EXPECT_EQ(asked.status, 0) << asked.err;
+  EXPECT_NE(asked.err.find("does not say how blood flows, so the image has no colour"), std::string::npos) << asked.err;
+  const auto plain = scan("{}", {"-o", folder / "o.mha"});
+  EXPECT_EQ(plain.err.find("blood"), std::string::npos) << plain.err;
+}
+
 TEST_F(ScanEffects, TheImageDoesNotDependOnTheThreads) {
   const std::string scene = R"({"attenuation": true, "focus": true, "noise": true, "slice_thickness": true, "reverberation": true})";
   ASSERT_EQ(scan(scene, {"-o", folder / "one.mha"}).status, 0);

@@ -162,8 +162,7 @@ class ScanTimer {
 
   DisplayImage make(const Pose& pose, bool isTimed = true) {
     state_.pose = pose;
-    state_.time_s = static_cast<double>(state_.number) / rate_hz_;
-    moveBody();
+    setTime();
     const auto start = std::chrono::steady_clock::now();
     const auto image = scanner.make(state_, size_px_.x, size_px_.y);
     const double took_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
@@ -180,12 +179,16 @@ class ScanTimer {
   LatencyHistogram latency;
 
  private:
-  /// At rest unless times or phases are asked for. Of several times each image has its own, again from the first when there are no more.
-  void moveBody() {
+  /// Of body and blood. Of several times each image has its own, again from the first when there are no more; the beams of a strip stay
+  /// 1 / rate apart. The body is at rest unless times or phases are asked for.
+  void setTime() {
+    double time_s = static_cast<double>(state_.number) / rate_hz_;
+    if (times_s_.size() == 1) time_s += times_s_.front();
+    state_.time_s = time_s;
+    if (times_s_.size() > 1) time_s = times_s_[state_.number % times_s_.size()];
+    if (state_.knobs.mode == DisplayMode::bMode) state_.time_s = time_s;
     if (!motion_) return;
-    state_.body = {};
-    if (times_s_.size() == 1) state_.body = bodyAt(motion_->rhythms, times_s_.front() + state_.time_s);
-    if (times_s_.size() > 1) state_.body = bodyAt(motion_->rhythms, times_s_[state_.number % times_s_.size()]);
+    state_.body = times_s_.empty() ? BodyState{} : bodyAt(motion_->rhythms, time_s);
     if (breath_) state_.body.breath = *breath_;
     if (pulse_) state_.body.pulse = *pulse_;
   }
@@ -293,6 +296,7 @@ Result<void> beginLikeWindow(const Case& opened, bool choosesProbe, ScanPlan& pl
   plan.probe = *std::find_if(usable.begin(), usable.end(), [&](const Probe& each) { return each.id == start->probe; });
   plan.knobs = applied(*start, plan.knobs);
   plan.knobs.persistence = 0.0;
+  if (plan.knobs.colour) plan.knobs.colour->persistence = 0.0;
   plan.preset = start->id;
   return {};
 }
@@ -396,6 +400,19 @@ void reportScan(const ScanTimer& timed, std::size_t litImages, Report& report) {
   report.details["on_beams"] = timed.scanner.plan().onBeams;
 }
 
+/// Remarks on what is asked for and cannot be seen.
+void tellWhatDoesNotShow(const ScanArguments& arguments, const Knobs& knobs, const ScanSubject& subject, Run& run) {
+  const bool movesBody = arguments.breath || arguments.pulse;
+  const bool showsTime = subject.changesIn(subject.scene, knobs), showsBody = subject.movesIn(subject.scene);
+  if ((!arguments.times_s.empty() && !showsTime) || (movesBody && !showsBody))
+    run.remark(subject.motion ? say<"The body stands still, because the scene has no live echoes or no motion; give one with --scene.">()
+               : showsTime    ? say<"This case does not move; --breath and --pulse change nothing.">()
+                              : say<"This case does not move; --time, --breath and --pulse change nothing.">());
+  if (knobs.colour && !subject.showsColour())
+    run.remark(
+        say<"This case does not say how blood flows, so the image has no colour; a virtual patient whose recipe has flow shows it.">());
+}
+
 Result<int> scan(const ScanArguments& arguments, Run& run) {
   if (auto usable = checkScanUsage(arguments, run); !usable) return passOn(usable.error());
   auto plan = readScanPlan(arguments, run);
@@ -409,9 +426,7 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
   if (!subject) return passOn(subject.error());
   if (!arguments.contactSheet.empty()) return makeContactSheet(arguments, *subject, plan->probe, plan->poses, run);
 
-  if ((!arguments.times_s.empty() || arguments.breath || arguments.pulse) && !subject->movesIn(subject->scene))
-    run.remark(subject->motion ? say<"The body stands still, because the scene has no live echoes or no motion; give one with --scene.">()
-                               : say<"This case does not move; --time, --breath and --pulse change nothing.">());
+  tellWhatDoesNotShow(arguments, plan->knobs, *subject, run);
   run.report.options = scanOptions(arguments, *plan, *subject);
   const ScanVoxels voxels = subject->voxels;
   const Scene scene = subject->scene;
@@ -451,6 +466,8 @@ void addScan(CLI::App& root, Selection& selection) {
              knobsManual() +
              "Without \"gain_law\" the one acts whose values are given: gain_db and tgc_db in decibels along the beams, or gain and dgc,\n"
              "factors on grey levels by rows (Eq. 3-5).\n"
+             "With \"colour\": true, or an object of its settings, a box of colour Doppler lies over the image of a case that says how\n"
+             "blood flows, such as neck-carotid-thyroid.\n"
              "With \"mode\": \"m\" the output is the strip of one beam over the poses, which are 1/30 s apart (--rate).\n"
              "SCENE.json is one object; an effect that is missing does not run:\n"
              "  { \"focus\": true, \"attenuation\": { \"expected_db_per_cm_mhz\": 0.5 } }\n" +
@@ -477,9 +494,10 @@ void addScan(CLI::App& root, Selection& selection) {
   app.add_flag("--plan", arguments->plan, "Print what a frame runs, with estimated and measured microseconds");
   app.add_flag("--map", arguments->map,
                "Leave an uncompressed volume in its file and read it by the page, as files from 1 GiB on always are");
-  app.add_option("--time", arguments->times_s,
-                 "Where breath, pulse and bowel stand: seconds on the patient's clock. One time: the clock runs on at --rate from there; "
-                 "several with one pose: a series (the body at rest)")
+  app.add_option(
+         "--time", arguments->times_s,
+         "Where breath, pulse, bowel and blood stand: seconds on the patient's clock. One time: the clock runs on at --rate from there; "
+         "several with one pose: a series (the body at rest)")
       ->expected(1, 10000)
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S...");
