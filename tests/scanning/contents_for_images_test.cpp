@@ -104,7 +104,13 @@ TEST_P(ContentsOfCase, GiveThePixelsOfTheWhole) {
   EXPECT_TRUE(caseNeedsPreparation(opened_)) << "nothing is kept";
   const auto whole = readContents(opened_, noProgress());
   ASSERT_TRUE(whole) << whole.error();
-  for (const auto& [images, part] : parts)
+  for (const auto& [images, part] : parts) {
+    ASSERT_EQ(part.contents.flow == nullptr, whole->flow == nullptr);
+    EXPECT_EQ(whole->flow == nullptr, GetParam() != "neck-carotid-thyroid");
+    if (whole->flow) {
+      EXPECT_EQ(part.contents.flow->bytes(), whole->flow->bytes());
+      EXPECT_EQ(part.contents.flow->bounds().lowest_mm, whole->flow->bounds().lowest_mm);
+    }
     for (const Pose& pose : images.poses) {
       const ScanState state{.probe = images.probe, .knobs = images.knobs, .pan = {}, .scene = opened_.scene, .pose = pose, .gaps_mm = {}};
       const auto expected = imageOf(subjectOf(opened_, *whole), state);
@@ -115,6 +121,7 @@ TEST_P(ContentsOfCase, GiveThePixelsOfTheWhole) {
       EXPECT_EQ(imageOf(subjectOf(opened_, part.contents), other), imageOf(subjectOf(opened_, *whole), other)) << images.probe.id;
       EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](int grey) { return grey > 20; }), 1000) << images.probe.id;
     }
+  }
   const auto there = readContentsFor(opened_, asked().front(), noProgress());
   ASSERT_TRUE(there) << there.error();
   EXPECT_FALSE(*there) << "the whole is there";

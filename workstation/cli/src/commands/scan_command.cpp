@@ -186,7 +186,7 @@ class ScanTimer {
     if (times_s_.size() == 1) time_s += times_s_.front();
     state_.time_s = time_s;
     if (times_s_.size() > 1) time_s = times_s_[state_.number % times_s_.size()];
-    if (state_.knobs.mode == DisplayMode::bMode) state_.time_s = time_s;
+    if (state_.knobs.mode != DisplayMode::mMode) state_.time_s = time_s;
     if (!motion_) return;
     state_.body = times_s_.empty() ? BodyState{} : bodyAt(motion_->rhythms, time_s);
     if (breath_) state_.body.breath = *breath_;
