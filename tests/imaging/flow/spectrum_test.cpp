@@ -14,6 +14,7 @@ namespace {
 
 using namespace ew::testing::colour;
 using std::numbers::pi;
+constexpr double kDepth_mm = TrialVessel{}.depth_mm;
 
 Knobs spectralKnobs() {
   Knobs knobs;
@@ -56,19 +57,19 @@ struct Listening {
   std::vector<std::complex<float>> all;
 };
 
-Shot shotOf(const Vessel& vessel, double snr_db = 30.0) {
+Shot shotOf(const TrialVessel& vessel, double snr_db = 30.0) {
   Shot shot;
   shot.vessel = vessel;
   shot.vessel.tissueLevel = 0.0;
   shot.knobs = spectralKnobs();
-  shot.scene = sceneOf(snr_db);
+  shot.scene = trialScene(snr_db);
   return shot;
 }
 
 double noiseOf(double snr_db) { return std::pow(10.0, 0.1 * (-78.0 - snr_db)); }
 
 TEST(Spectrum, MakesASampleForEveryPulseHoweverFramesCome) {
-  const Shot shot = shotOf({.angle_deg = 45.0});
+  const Shot shot = shotOf({.angle_rad = 45.0 * pi / 180.0});
   const Listening fast(shot, 0.4, 0.02), slow(shot, 0.4, 0.04);
   const double prf_hz = spectralGateOf(shot.probe, shot.knobs).prf_hz;
   EXPECT_NEAR(static_cast<double>(fast.all.size()), 0.4 * prf_hz, 2.0);
@@ -84,7 +85,7 @@ TEST(Spectrum, MakesASampleForEveryPulseHoweverFramesCome) {
 
 TEST(Spectrum, HasAParabolasGreatestVelocityWithinTwoPerCent) {
   for (const double angle_deg : {0.0, 45.0, 60.0}) {
-    Vessel vessel{.angle_deg = angle_deg, .axis_mmPerS = 400.0};
+    TrialVessel vessel{.angle_rad = angle_deg * pi / 180.0, .axis_mmPerS = 400.0};
     Shot shot = shotOf(vessel);
     // Transit would widen the slope on both sides alike; it is looked at on its own.
     shot.knobs.spectral->broadens = false;
@@ -98,7 +99,7 @@ TEST(Spectrum, HasAParabolasGreatestVelocityWithinTwoPerCent) {
 }
 
 TEST(Spectrum, HasAPlugsVelocityWithinOneBin) {
-  Vessel vessel{.angle_deg = 0.0, .axis_mmPerS = 400.0, .bluntness = 80.0};
+  TrialVessel vessel{.angle_rad = 0.0 * pi / 180.0, .axis_mmPerS = 400.0, .bluntness = 80.0};
   Shot shot = shotOf(vessel);
   shot.knobs.spectral->gate_mm = 3.0;
   shot.knobs.spectral->broadens = false;
@@ -112,14 +113,12 @@ TEST(Spectrum, HasAPlugsVelocityWithinOneBin) {
 
 TEST(Spectrum, IsAsWideAsTransitAndWindowMakeIt) {
   for (const double angle_deg : {45.0, 70.0}) {
-    Vessel vessel{.angle_deg = angle_deg, .radius_mm = 4.0, .axis_mmPerS = 500.0, .bluntness = 80.0};
+    TrialVessel vessel{.angle_rad = angle_deg * pi / 180.0, .radius_mm = 4.0, .axis_mmPerS = 500.0, .bluntness = 80.0};
     Shot shot = shotOf(vessel);
     shot.knobs.spectral->gate_mm = 1.0;
     const Listening run(shot, 10.0);
     const SpectralGate gate = spectralGateOf(shot.probe, shot.knobs);
-    Knobs knobs;
-    knobs.colour = ColourDoppler{.carrier_hz = 5e6};
-    const CellSize cell = cellAt(shot.probe, knobs, shot.scene, kDepth_mm);
+    const TrialCell cell = cellOf(vessel, trialKnobs(vessel), shot.scene);
     // Standard deviation in Hz: of a Gaussian beam by velocity over 2 pi sqrt(2) sigma; of Hann windows of N samples 0.577 prf / N for
     // the power of their transform.
     const double angle = angle_deg * pi / 180.0, across = 500.0 * std::sin(angle), along = 500.0 * std::cos(angle);
@@ -165,7 +164,7 @@ TEST(Spectrum, WallFilterTakesOutWhatIsSlow) {
 }
 
 TEST(Spectrum, TurnsAroundAtTheScaleAndFollowsTheBaseline) {
-  Vessel vessel{.angle_deg = 0.0, .axis_mmPerS = 600.0, .bluntness = 80.0};  // 1.3 Nyquist velocities
+  TrialVessel vessel{.angle_rad = 0.0 * pi / 180.0, .axis_mmPerS = 600.0, .bluntness = 80.0};  // 1.3 Nyquist velocities
   Shot shot = shotOf(vessel);
   const SpectralGate gate = spectralGateOf(shot.probe, shot.knobs);
   const double share = 600.0 / gate.nyquist_mmPerS;
@@ -177,7 +176,7 @@ TEST(Spectrum, TurnsAroundAtTheScaleAndFollowsTheBaseline) {
 }
 
 TEST(Spectrum, FindsIndicesOfAPulse) {
-  Vessel vessel{.angle_deg = 45.0, .axis_mmPerS = 400.0};
+  TrialVessel vessel{.angle_rad = 45.0 * pi / 180.0, .axis_mmPerS = 400.0};
   Shot shot = shotOf(vessel);
   shot.knobs.mSweep_s = 5.0;
   shot.knobs.spectral->prf_hz = 8000.0;
@@ -203,9 +202,7 @@ TEST(Spectrum, FindsIndicesOfAPulse) {
     greatest.push_back(truth.sectionNear(0, {0.0, kDepth_mm, 0.0}, time_s)->forward_mmPerS);
   }
   const SpectralGate gate = spectralGateOf(shot.probe, shot.knobs);
-  Knobs forCell;
-  forCell.colour = ColourDoppler{.carrier_hz = 5e6};
-  const double slice_mm = cellAt(shot.probe, forCell, shot.scene, kDepth_mm).elevational_mm / std::sqrt(2.0);
+  const double slice_mm = cellOf(vessel, trialKnobs(vessel), shot.scene).elevational_mm / std::sqrt(2.0);
   const auto points = tracedBy(*scan.maker().spectrogram(), {.noise = noiseOf(30.0), .radiusOverSlice = vessel.radius_mm / slice_mm});
   std::vector<double> at_s, envelope, mean;
   for (const TracePoint& point : points) {
@@ -252,7 +249,7 @@ TEST(Waveform, IsNoneWithoutAPulse) {
 }
 
 TEST(SpectralGate, ListensAtOtherDepthsWithHighPulseRates) {
-  const Probe probe = linear();
+  const Probe probe = trialProbe();
   Knobs knobs = spectralKnobs();
   knobs.spectral->gate_mm = 2.0;
   knobs.spectral->prf_hz = 52000.0;
@@ -268,7 +265,7 @@ TEST(SpectralGate, ListensAtOtherDepthsWithHighPulseRates) {
 }
 
 TEST(SpectralGate, CorrectsForTheAngle) {
-  const Probe probe = linear();
+  const Probe probe = trialProbe();
   Knobs knobs = spectralKnobs();
   knobs.spectral->angle_rad = pi / 3.0;
   const SpectralGate gate = spectralGateOf(probe, knobs);
@@ -281,7 +278,7 @@ TEST(SpectralGate, CorrectsForTheAngle) {
 }
 
 TEST(Spectrum, GoesOnFromWhatItRemembers) {
-  const Shot shot = shotOf({.angle_deg = 45.0});
+  const Shot shot = shotOf({.angle_rad = 45.0 * pi / 180.0});
   ColourScan scan(shot), other(shot);
   for (int n = 0; n < 10; ++n) scan.next();
   const FrameMemory memory = scan.maker().memory();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/images/echo_entry.h"
+#include "bench/images/flow_entry.h"
 #include "bench/images/frame_entry.h"
 #include "bench/images/slicing_entry.h"
 #include "bench/tools/bench_entry.h"
@@ -45,7 +46,7 @@ class AllEntry final : public BenchEntry {
       double begin, end;  // of the progress
     };
     for (const Part& each : {Part{frame_, 0.0, 0.25}, Part{slicing_, 0.25, 0.5}, Part{reconstruct_, 0.5, 0.7}, Part{register_, 0.7, 0.9},
-                             Part{echoes_, 0.9, 0.95}, Part{stitch_, 0.95, 1.0}}) {
+                             Part{echoes_, 0.9, 0.93}, Part{flow_, 0.93, 0.95}, Part{stitch_, 0.95, 1.0}}) {
       PartOfProgress part(progress, each.begin, each.end);
       if (auto measured = each.entry.measure(run, results, part); !measured) return measured;
     }
@@ -55,7 +56,7 @@ class AllEntry final : public BenchEntry {
  private:
   void share() {
     slicing_.sides = frame_.sides = sides_;
-    frame_.size_px = echoes_.size_px = size_px_;
+    frame_.size_px = echoes_.size_px = flow_.size_px = size_px_;
     slicing_.poses = frame_.poses = poses_;
     echoes_.options.poses = poses_.value_or(echoes_.options.poses);
     register_.options.seed = stitch_.options.seed = echoes_.options.seed = seed_;
@@ -66,6 +67,7 @@ class AllEntry final : public BenchEntry {
   SlicingEntry slicing_;
   FrameEntry frame_;
   EchoEntry echoes_;
+  FlowEntry flow_;
   ReconstructEntry reconstruct_;
   RegisterEntry register_;
   StitchEntry stitch_;

@@ -3,6 +3,7 @@
 #include "bench/all_entry.h"
 #include "bench/bench_library.h"
 #include "bench/images/echo_entry.h"
+#include "bench/images/flow_entry.h"
 #include "bench/images/frame_entry.h"
 #include "bench/images/slicing_entry.h"
 #include "bench/teaching/teaching_commands.h"
@@ -21,6 +22,7 @@ void addBenches(CLI::App& root, Selection& selection) {
   addSlicingBench(group, selection);
   addFrameBench(group, selection);
   addEchoBench(group, selection);
+  addFlowBench(group, selection);
   addReconstructBench(group, selection);
   addRegisterBench(group, selection);
   addStitchBench(group, selection);
