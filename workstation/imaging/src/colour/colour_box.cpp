@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kMiddle = 0.5, kHeight = 0.4;  // of the depth
 constexpr double kThinnest_mm = 5.0;
+constexpr double kNarrowest = 0.1;  // of the face
 constexpr int kFewestLines = 8;
 
 /// Of a box where the settings ask for it, brought into the depth.
@@ -64,7 +65,7 @@ ColourBox colourBoxOf(const Probe& probe, const Knobs& asked) {
   const double depth_mm = resolvedDepth_mm(probe, knobs);
   const Extent extent = extentOf(colour, depth_mm);
   ColourBox box;
-  const double half = std::clamp(colour.boxWidth, 0.1, 1.0);
+  const double half = std::clamp(colour.boxWidth, kNarrowest, 1.0);
   const double middle = std::clamp(colour.boxMiddle, half - 1.0, 1.0 - half);
   box.left = middle - half;
   box.right = middle + half;
@@ -102,16 +103,40 @@ std::vector<glm::dvec2> colourBoxOutline_mm(const Probe& probe, const Knobs& kno
   return outline;
 }
 
-Knobs withColourBoxAt(const Probe& probe, const Knobs& knobs, const glm::dvec2& p_mm) {
-  EW_EXPECTS(knobs.colour.has_value());
+ColourPlace colourPlaceOf(const Probe& probe, const Knobs& asked, const glm::dvec2& p_mm) {
+  EW_EXPECTS(asked.colour.has_value());
+  const detail::FanShape::Place place = detail::fanShapeOf(probe, detail::colourKnobsOf(probe, limited(asked))).placeOf(p_mm);
+  return {place.across, place.depth_mm};
+}
+
+Knobs withColourBoxMiddle(const Probe& probe, const Knobs& knobs, const ColourPlace& middle) {
   Knobs moved = limited(knobs);
-  const detail::FanShape::Place place = detail::fanShapeOf(probe, detail::colourKnobsOf(probe, moved)).placeOf(p_mm);
   const ColourBox box = colourBoxOf(probe, moved);
   const double half = 0.5 * (box.right - box.left), halfHeight_mm = 0.5 * (box.bottom_mm - box.top_mm);
   const double depth_mm = resolvedDepth_mm(probe, moved);
-  moved.colour->boxMiddle = std::clamp(place.across, half - 1.0, 1.0 - half);
-  moved.colour->boxMiddle_mm = std::clamp(place.depth_mm, halfHeight_mm, depth_mm - halfHeight_mm);
+  moved.colour->boxMiddle = std::clamp(middle.across, std::min(half - 1.0, 0.0), std::max(1.0 - half, 0.0));
+  moved.colour->boxMiddle_mm = std::clamp(middle.depth_mm, halfHeight_mm, std::max(depth_mm - halfHeight_mm, halfHeight_mm));
   moved.colour->boxHeight_mm = 2.0 * halfHeight_mm;
+  return moved;
+}
+
+Knobs withColourBoxAt(const Probe& probe, const Knobs& knobs, const glm::dvec2& p_mm) {
+  return withColourBoxMiddle(probe, knobs, colourPlaceOf(probe, knobs, p_mm));
+}
+
+Knobs withColourEdgesAt(const Probe& probe, const Knobs& asked, const ColourEdges& edges, const ColourPlace& place) {
+  Knobs moved = limited(asked);
+  ColourBox box = colourBoxOf(probe, moved);
+  const double depth_mm = resolvedDepth_mm(probe, moved);
+  const double thinnest_mm = std::min(kThinnest_mm, depth_mm);
+  if (edges.left) box.left = std::min(std::max(place.across, -1.0), box.right - 2.0 * kNarrowest);
+  if (edges.right) box.right = std::max(std::min(place.across, 1.0), box.left + 2.0 * kNarrowest);
+  if (edges.top) box.top_mm = std::min(std::max(place.depth_mm, 0.0), box.bottom_mm - thinnest_mm);
+  if (edges.bottom) box.bottom_mm = std::max(std::min(place.depth_mm, depth_mm), box.top_mm + thinnest_mm);
+  moved.colour->boxMiddle = 0.5 * (box.left + box.right);
+  moved.colour->boxWidth = 0.5 * (box.right - box.left);
+  moved.colour->boxMiddle_mm = 0.5 * (box.top_mm + box.bottom_mm);
+  moved.colour->boxHeight_mm = box.bottom_mm - box.top_mm;
   return moved;
 }
 

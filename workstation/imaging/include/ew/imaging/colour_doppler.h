@@ -72,6 +72,23 @@ struct ColourBox {
 /// The knobs with the box's middle at a point of the image plane, as far as the box stays within the fan.
 [[nodiscard]] Knobs withColourBoxAt(const Probe& probe, const Knobs& knobs, const glm::dvec2& p_mm);
 
+/// Where a point of the image plane lies for the box: across the face, -1..1 within the fan, and along the box's lines from the face.
+struct ColourPlace {
+  double across = 0.0;
+  double depth_mm = 0.0;
+};
+/// @param knobs with colour
+[[nodiscard]] ColourPlace colourPlaceOf(const Probe& probe, const Knobs& knobs, const glm::dvec2& p_mm);
+/// The knobs with the box's middle at a place, as far as the box stays within the fan.
+[[nodiscard]] Knobs withColourBoxMiddle(const Probe& probe, const Knobs& knobs, const ColourPlace& middle);
+/// Edges of a box; left is towards the face's -x end.
+struct ColourEdges {
+  bool left = false, right = false, top = false, bottom = false;
+  bool operator==(const ColourEdges&) const = default;
+};
+/// The knobs with these edges of the box at a place, as far as it stays within the fan and is not too small; the other edges stay.
+[[nodiscard]] Knobs withColourEdgesAt(const Probe& probe, const Knobs& knobs, const ColourEdges& edges, const ColourPlace& place);
+
 /// Colours of what is shown.
 /// @param value velocities: -1..1 from the lowest shown to the highest; power: 0..1; directional power: -1..1
 /// @param spread 0..1 of the Nyquist velocity; of ColourShows::variance alone
