@@ -67,6 +67,7 @@ void BodyMarkView::arrange() {
   std::vector<QRect> taken = scan_.fanRects();
   if (const QRect strip = scan_.stripRect(); !strip.isEmpty()) taken.push_back(strip);
   taken.push_back(scan_.resultsRect());
+  taken.push_back(scan_.colourBarRect());
   const QRect there = placeOfMark(room, taken, corner_, kMark_px, kLeastMark_px);
   if (there != geometry()) setGeometry(there);
 }

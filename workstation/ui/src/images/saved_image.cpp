@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -21,6 +22,8 @@
 #include "measure/calipers/caliper_paint.h"
 #include "measure/words/caliper_words.h"
 #include "measure/words/finding_words.h"
+#include "scan/colour_on_image.h"
+#include "scan/fan_rects.h"
 #include "scan/session.h"
 #include "window/layout/window_text.h"
 
@@ -46,6 +49,7 @@ QString settingsOf(const Session& session) {
           ? WindowText::tr("%1   depth %2 cm   gain %3 dB").arg(probe, depth_cm, signedFigure(knobs.gain_db, 1))
           : WindowText::tr("%1   depth %2 cm   gain %3 %").arg(probe, depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
   if (knobs.zoom > 1.0) line += WindowText::tr("   zoom %1").arg(figure(knobs.zoom, 1));
+  if (knobsWithBox(session)) line += colourFigures(session.imageProbe(), knobs).join(QString());
   return line;
 }
 
@@ -100,6 +104,16 @@ void paintMarkerAbove(QPainter& painter, const Session& session, const QRect& im
   painter.setBrush(Qt::NoBrush);
 }
 
+/// The box, and the bar of colours where the fan leaves room for it.
+void paintColour(QPainter& painter, const Session& session, const std::function<QPointF(const glm::dvec2&)>& pixelOf, const QRect& image) {
+  const std::optional<Knobs> knobs = knobsWithBox(session);
+  if (!knobs) return;
+  paintColourBox(painter, outlineOfBox(session.imageProbe(), *knobs, pixelOf));
+  const QRect bar =
+      placeOfColourBar(image, rectsOfFan(session.seen().spans(), image.topLeft(), 1.0), sizeOfColourBar(image.height(), true));
+  if (!bar.isNull()) paintColourBar(painter, bar, session.imageProbe(), *knobs, true, false);
+}
+
 /// What lies on the image itself. @param image where it is on the saved one
 void paintOn(QPainter& painter, const Session& session, const OnImage& on, const QRect& image) {
   const DisplayGeometry& geometry = session.geometry();
@@ -109,6 +123,7 @@ void paintOn(QPainter& painter, const Session& session, const OnImage& on, const
   };
   painter.save();
   painter.setClipRect(image);
+  paintColour(painter, session, pixelOf, image);
   if (on.calipers != nullptr && !on.calipers->lines().empty())
     paintCalipers(painter, *on.calipers, Where::image, pixelOf, {Qt::white, Qt::white});
   if (on.annotations != nullptr) paintAnnotations(painter, on.annotations->all(), 0, pixelOf, {Qt::white, Qt::white});
@@ -152,7 +167,8 @@ struct Shown {
 Shown shownBy(const Session& session) {
   const DisplayMode mode = session.imageKnobs().mode;
   Shown shown;
-  const QImage image = imageOf(session.image());
+  const bool hasBox = knobsWithBox(session).has_value();  // its bar has colours where no blood has
+  const QImage image = hasBox ? imageOf(session.image()).convertToFormat(QImage::Format_RGB888) : imageOf(session.image());
   if (mode != DisplayMode::bMode && session.seen().strip().width > 0)
     shown.strip = imageOf(session.seen().strip()).convertToFormat(image.format());
   if (mode != DisplayMode::mMode || shown.strip.isNull()) shown.image = image;

@@ -9,13 +9,13 @@
 #include <cmath>
 #include <utility>
 
-#include "ew/imaging/beam_grid.h"
 #include "ew/widgets/figures.h"
 #include "ew/widgets/focus_ring.h"
 #include "ew/widgets/icons.h"
 #include "ew/widgets/qt_image.h"
 #include "ew/widgets/theme.h"
 #include "ew/widgets/words.h"
+#include "scan/colour_on_image.h"
 #include "scan/dgc_column.h"
 #include "scan/fan_rects.h"
 #include "scan/focus_scale.h"
@@ -31,6 +31,7 @@ constexpr int kMostOverImage =
     2;                         // labels of the scale that may reach over the fan's widest place; a rectangle keeps all of them beside it
 constexpr int kHint_px = 220;  // what a drag does
 constexpr int kSaidLong_ms = 3000;
+constexpr int kLeastBesideNumbers_px = 240;
 
 int leftRoom_px() { return DgcColumn::wanted_px(); }
 int rightRoom_px() { return 26 + scaled(38); }  // depth scale
@@ -38,6 +39,11 @@ int topRoom_px() { return 12 + scaled(44); }    // probe name, reset of the TGC,
 int lineHeight_px() { return scaled(24); }
 int bottomRoom_px() { return 16 + lineHeight_px(); }  // what the image is
 int timeRoom_px() { return 8 + scaled(16); }          // time ticks under the strip
+
+/// Of the bar of colours; in a narrow view the image needs the room.
+bool hasBarNumbers(const ScanView& view) {
+  return !view.isCompact() && view.width() - leftRoom_px() - rightRoom_px() >= scaled(kLeastBesideNumbers_px);
+}
 
 /// Distance of labelled ticks so that about 4 to 8 of them fit, from the 1-2-5 series, in mm.
 int labelStep_mm(double depth_mm, double height_px) {
@@ -118,19 +124,13 @@ void ScanView::setLabel(const QString& label) {
 QRect ScanView::wholeRect() const {
   const bool isAlone = mode() == DisplayMode::bMode;
   const int left_px = isAlone ? left_px_ : leftMost_px();
-  const int right_px = isAlone ? right_px_ : rightRoom_px();
+  const int right_px = isAlone ? right_px_ : rightRoom_px() + barRoom_px();
   const QRect whole(left_px, topRoom_px(), std::max(1, width() - left_px - right_px),
                     std::max(1, height() - topRoom_px() - bottomRoom_px()));
   if (isAlone) return whole;
   if (mode() == DisplayMode::mMode) return whole.adjusted(0, 0, 0, -std::min(timeRoom_px(), whole.height() - 1));
   // Image and strip have the same size; between them there is room for the image's lower edge to be seen as one.
   return {whole.left(), whole.top(), whole.width(), std::max(1, (whole.height() - timeRoom_px() - 16) / 2)};
-}
-
-QRect ScanView::stripRect() const {
-  const QRect display = imageRect();
-  if (mode() == DisplayMode::bMode) return {};
-  return mode() == DisplayMode::mMode ? display : display.translated(0, display.height() + 16);
 }
 
 std::vector<QRect> ScanView::fanRects() const {
@@ -205,6 +205,7 @@ void ScanView::fitMargins() {
   whole.trapezoid = asked.trapezoid;
   whole.markerLeft = asked.markerLeft;
   whole.upsideDown = asked.upsideDown;
+  if (barRoom_px() > 0) whole.colour.emplace();
   const Fitted wanted{size(), session_.imageProbe().id, whole, isCompact_};
   if (wanted == fitted_) return;
   fitted_ = wanted;
@@ -217,7 +218,28 @@ void ScanView::fitMargins() {
 }
 
 int ScanView::leftMost_px() const { return isCompact_ ? kLeastMargin_px : leftRoom_px(); }
-int ScanView::rightMost_px() const { return isCompact_ ? kLeastMargin_px : rightRoom_px(); }
+int ScanView::rightMost_px() const { return isCompact_ ? kLeastMargin_px : rightRoom_px() + barRoom_px(); }
+
+int ScanView::barRoom_px() const {
+  return !isCompact_ && knobsWithBox(session_) ? sizeOfColourBar(height(), hasBarNumbers(*this)).width() + kLeastMargin_px : 0;
+}
+
+/// Beside the sliders and the depth scale.
+QRect ScanView::roomOfBar() const {
+  return {QPoint(leftMost_px(), topRoom_px()), QPoint(width() - rightRoom_px() - 1, height() - bottomRoom_px() - 1)};
+}
+
+void ScanView::placeColourBar() {
+  bar_ = {};
+  if (!knobsWithBox(session_) || session_.image().isEmpty()) return;
+  const QRect room = roomOfBar();
+  std::vector<QRect> taken = isZoomed() ? std::vector<QRect>() : fanRects();
+  taken.push_back(resultsRect_);
+  if (mode() == DisplayMode::both) taken.push_back(stripRect());
+  const QSize size = sizeOfColourBar(imageRect().height(), hasBarNumbers(*this));
+  bar_ = placeOfColourBar(room, taken, size);
+  if (bar_.isNull() && isZoomed()) bar_ = QRect(QPoint(room.right() + 1 - size.width(), room.top()), size);
+}
 
 bool ScanView::fitsBeside(const Knobs& whole) {
   besideFan_px_ = leftRoom_px();
@@ -243,7 +265,10 @@ bool ScanView::fitsBeside(const Knobs& whole) {
     tooFewLeft += left_px < DgcColumn::least_px() ? 1 : 0;
     tooFewRight += right_px < rightRoom_px() ? 1 : 0;
   }
-  return isCompact_ || (tooFewLeft == 0 && tooFewRight <= kMostOverImage);
+  const bool hasBar = barRoom_px() == 0 || !placeOfColourBar(roomOfBar(), rectsOfFan(fan, QPoint(left_px_, topRoom_px()), 1.0),
+                                                             sizeOfColourBar(height_px, hasBarNumbers(*this)))
+                                                .isNull();
+  return isCompact_ || (tooFewLeft == 0 && tooFewRight <= kMostOverImage && hasBar);
 }
 
 void ScanView::setCompact(bool compact) {
@@ -280,12 +305,14 @@ void ScanView::arrange() {
   dgc_->place(yOfDepth(0.0) - dgc_->y(), yOfDepth(session_.geometry().depth_mm) - dgc_->y(), room_px);
   scale_->setGeometry(width() - rightRoom_px(), box.top(), rightRoom_px(), box.height());
   showSliders();
+  placeColourBar();
   Q_EMIT arranged();
 }
 
 void ScanView::setResultsRect(const QRect& rect) {
   if (resultsRect_ == rect) return;
   resultsRect_ = rect;
+  placeColourBar();
   Q_EMIT arranged();
 }
 
@@ -320,6 +347,12 @@ void ScanView::paintEvent(QPaintEvent*) {
   paintDepthScale(painter);
   paintFoci(painter);
   if (mode() != DisplayMode::mMode) paintMarker(painter);
+  if (knobsWithBox(session_)) {
+    painter.setClipRect(imageRect());
+    paintColourBox(painter, outlineOfBox(*this, session_.imageProbe(), session_.imageKnobs()));
+    painter.setClipping(false);
+    if (!bar_.isNull()) paintColourBar(painter, bar_, session_.imageProbe(), session_.imageKnobs(), hasBarNumbers(*this), isZoomed());
+  }
   if (mode() == DisplayMode::both) paintMLine(painter);
   if (paintOver && mode() != DisplayMode::mMode) {
     painter.save();
@@ -463,57 +496,6 @@ void ScanView::paintMarker(QPainter& painter) {
   painter.setBrush(Qt::NoBrush);
 }
 
-void ScanView::paintMLine(QPainter& painter) {
-  const DisplayGeometry& geometry = session_.geometry();
-  const Knobs& knobs = session_.imageKnobs();
-  const BeamGrid grid = makeBeamGrid(session_.imageProbe(), knobs, geometry.depth_mm, geometry.depth_mm / 8.0);
-  if (grid.lines.empty()) return;
-  const auto last = static_cast<double>(grid.lines.size() - 1);
-  const auto index = static_cast<std::size_t>(std::lround((std::clamp(knobs.mLine, -1.0, 1.0) + 1.0) / 2.0 * last));
-  const BeamGrid::Line& line = grid.lines[index];
-  const QRect box = imageRect();
-  const auto at = [&](double depth_mm) {
-    const glm::dvec2 p_mm = line.origin_mm + depth_mm * line.direction;
-    const double across = geometry.markerLeft ? -1.0 : 1.0;
-    return QPointF(box.left() + (geometry.face_px.x + across * p_mm.x / geometry.pixel_mm) / devicePixelRatioF(), yOfDepth(p_mm.y));
-  };
-  painter.setClipRect(box);
-  QColor accent = scanTheme().accent;
-  accent.setAlpha(200);
-  painter.setPen(QPen(accent, 1.0, Qt::DashLine));
-  painter.drawLine(at(0.0), at(geometry.depth_mm));
-  painter.setClipping(false);
-}
-
-void ScanView::paintStrip(QPainter& painter) {
-  const Theme theme = scanTheme();
-  const QRect box = stripRect();
-  const ImageView<const std::uint8_t> strip = session_.seen().strip();
-  painter.setPen(QPen(theme.line, 1.0));
-  painter.drawLine(box.left(), box.top() - 8, box.right(), box.top() - 8);
-  if (strip.width > 0) {
-    QImage image = session_.probeControl().isLost() ? paled(imageOf(strip)) : imageOf(strip);
-    image.setDevicePixelRatio(devicePixelRatioF());
-    painter.drawImage(box.topLeft(), image);
-    const double x = box.left() + session_.seen().stripCursor() / devicePixelRatioF();
-    painter.setPen(QPen(theme.accent, 1.0));
-    painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
-  }
-  // Seconds across the strip; labels stay apart.
-  const double sweep_s = std::max(1.0, session_.imageKnobs().mSweep_s);
-  const int labelled_s = box.width() / sweep_s < scaled(40.0) ? (box.width() / sweep_s < scaled(20.0) ? 4 : 2) : 1;
-  painter.setFont(smallFont());
-  painter.setPen(QPen(theme.quiet, 1.0));
-  for (int second = 0; second <= static_cast<int>(sweep_s + 1e-9); ++second) {
-    const int x = box.left() + static_cast<int>(std::lround(second / sweep_s * (box.width() - 1)));
-    const bool labelled = second % labelled_s == 0;
-    painter.drawLine(x, box.bottom() + 2, x, box.bottom() + (labelled ? 8 : 5));
-    if (labelled && second > 0) {
-      drawFigures(painter, QRect(x - 40, box.bottom() + 8, 44, scaled(16)), Qt::AlignRight, tr("%1 s").arg(second));
-    }
-  }
-}
-
 void ScanView::paintWords(QPainter& painter) {
   const Theme theme = scanTheme();
   painter.setFont(smallFont());
@@ -531,17 +513,25 @@ void ScanView::paintWords(QPainter& painter) {
                      : tr("depth %1 cm   gain %2 %").arg(depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
   if (knobs.zoom > 1.0) line += tr("   zoom %1").arg(figure(knobs.zoom, 1));
   const int lineTop = height() - 8 - lineHeight_px(), lineRoom_px = width() - 24 - scaled(76);
+  if (knobsWithBox(session_)) line += colourWords(painter, session_.imageProbe(), knobs, lineRoom_px - figuresWidth_px(metrics, line));
   drawFigures(painter, QRect(20, lineTop, lineRoom_px, lineHeight_px()), Qt::AlignLeft, line);
   // What a drag would do, as long as the pointer is here and there is room beside the figures.
   const int hint_px = lineRoom_px - figuresWidth_px(metrics, line) - 48;
   const bool looksBack = session_.isFrozen() && session_.cineLoop().frame() && session_.cineLoop().ring().frameCount() > 1;
-  if (underMouse() && (!session_.probeControl().handRests() || looksBack || knobs.zoom > 1.0) && !session_.isPlaying() &&
-      hint_px >= scaled(kHint_px)) {
+  if (underMouse() && (!session_.probeControl().handRests() || looksBack || knobs.zoom > 1.0 || !dragHint_.isEmpty()) &&
+      !session_.isPlaying() && hint_px >= scaled(kHint_px)) {
     painter.drawText(QRect(20 + lineRoom_px - hint_px, lineTop, hint_px, lineHeight_px()), Qt::AlignRight | Qt::AlignVCenter,
-                     knobs.zoom > 1.0 ? tr("drag: move the detail")
-                     : looksBack      ? tr("wheel: step through what was scanned")
-                                      : tr("drag: slide the probe"));
+                     !dragHint_.isEmpty() ? dragHint_
+                     : knobs.zoom > 1.0   ? tr("drag: move the detail")
+                     : looksBack          ? tr("wheel: step through what was scanned")
+                                          : tr("drag: slide the probe"));
   }
+}
+
+void ScanView::setDragHint(const QString& hint) {
+  if (hint == dragHint_) return;
+  dragHint_ = hint;
+  update();
 }
 
 void ScanView::setControlsEnabled(bool enabled) {

@@ -31,6 +31,8 @@ class ScanView final : public QWidget {
   [[nodiscard]] std::vector<QRect> fanRects() const;
   /// What results of measurements cover, in widget pixels, whatever else lies beside the fan; empty: nothing.
   void setResultsRect(const QRect& rect);
+  /// What the bar of colours covers; empty: there is none.
+  [[nodiscard]] const QRect& colourBarRect() const { return bar_; }
   [[nodiscard]] const QRect& resultsRect() const { return resultsRect_; }
   /// Whether the image fills the view, and leaves no black beside it.
   [[nodiscard]] bool isZoomed() const { return mode() != DisplayMode::mMode && session_.imageKnobs().zoom > 1.0; }
@@ -52,6 +54,9 @@ class ScanView final : public QWidget {
   /// A sentence over the image for a few seconds.
   void say(const QString& sentence);
   [[nodiscard]] QString said() const { return said_; }
+  /// What a drag would do where the pointer is; empty: what it does elsewhere.
+  void setDragHint(const QString& hint);
+  [[nodiscard]] QString dragHint() const { return dragHint_; }
   /// Sliders and marks on the image that change settings.
   void setControlsEnabled(bool enabled);
   /// Which of several images it is, before the name of the probe; empty: the only one.
@@ -92,7 +97,10 @@ class ScanView final : public QWidget {
   [[nodiscard]] bool fitsBeside(const Knobs& whole);
   [[nodiscard]] int leftMost_px() const;   ///< room for the sliders
   [[nodiscard]] int rightMost_px() const;  ///< room for the scale
-  [[nodiscard]] QRect wholeRect() const;   ///< room for the image, beside the scales
+  [[nodiscard]] int barRoom_px() const;    ///< room for the bar of colours
+  [[nodiscard]] QRect roomOfBar() const;
+  void placeColourBar();
+  [[nodiscard]] QRect wholeRect() const;  ///< room for the image, beside the scales
   [[nodiscard]] DisplayMode mode() const { return session_.imageKnobs().mode; }
   [[nodiscard]] bool isBesideVolume() const;
   [[nodiscard]] bool isInAir() const;
@@ -130,7 +138,8 @@ class ScanView final : public QWidget {
   bool soundsLoss_ = false;
   bool isLost_ = false;  ///< as it was told last
   QString said_;
-  QRect resultsRect_;
+  QRect resultsRect_, bar_;
+  QString dragHint_;
   QString nothing_;
   QTimer saidLong_;
 };
