@@ -16171,6 +16171,238 @@
         <source>A wide image grows while the probe slides along its image (%1)</source>
         <translation>Ein Panoramabild wächst, während der Schallkopf in seiner Bildebene gleitet (%1)</translation>
     </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour Doppler: how blood moves (%1)</source>
+        <translation>Farbdoppler: wie sich Blut bewegt (%1)</translation>
+    </message>
+    <message>
+        <source>This case does not say how blood flows, so there is nothing to colour.</source>
+        <translation>Dieser Fall sagt nicht, wie Blut fließt; darum gibt es nichts zu färben.</translation>
+    </message>
+    <message>
+        <source>Colour Doppler</source>
+        <translation>Farbdoppler</translation>
+    </message>
+    <message>
+        <source>Colours blood that moves within the box; drag the box, its edges and corners in the image (%1)</source>
+        <translation>Färbt Blut, das sich im Farbfenster bewegt; das Fenster, seine Kanten und Ecken lassen sich im Bild ziehen (%1)</translation>
+    </message>
+    <message>
+        <source>How many pulses and lines an image of colour is made of, and what of it is shown</source>
+        <translation>Aus wie vielen Pulsen und Linien ein Farbbild entsteht und was davon gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast blood moves along the beam, towards the probe or away from it</source>
+        <translation>Geschwindigkeit: wie schnell sich Blut längs des Strahls bewegt, zur Sonde hin oder von ihr weg</translation>
+    </message>
+    <message>
+        <source>Variance</source>
+        <translation>Varianz</translation>
+    </message>
+    <message>
+        <source>Velocity, and green where it spreads, as in turbulence</source>
+        <translation>Geschwindigkeit, und grün, wo sie streut, wie bei Turbulenz</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Power</translation>
+    </message>
+    <message>
+        <source>How much blood moves, whatever its direction and speed: sees slow flow best</source>
+        <translation>Wie viel Blut sich bewegt, gleich wohin und wie schnell: zeigt langsamen Fluss am besten</translation>
+    </message>
+    <message>
+        <source>Directional</source>
+        <translation>Gerichtet</translation>
+    </message>
+    <message>
+        <source>Directional power: how much blood moves, in two hues</source>
+        <translation>Gerichteter Powerdoppler: wie viel Blut sich bewegt, in zwei Farbtönen</translation>
+    </message>
+    <message>
+        <source>Gain of colour: turn it up until the box fills with specks, then down until they go (%1); double-click for neutral</source>
+        <translation>Farbverstärkung: aufdrehen, bis sich das Fenster mit Punkten füllt, dann zurück, bis sie verschwinden (%1); Doppelklick für neutral</translation>
+    </message>
+    <message>
+        <source>Colour gain</source>
+        <translation>Farbverstärkung</translation>
+    </message>
+    <message>
+        <source>%1 cm/s</source>
+        <translation>%1 cm/s</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>The fastest velocity along the beam that is told from its opposite; faster blood takes the colours of the other direction. It ends where echoes from the lower edge of the box would come too late (%1)</source>
+        <translation>Die größte Geschwindigkeit längs des Strahls, die von der entgegengesetzten unterschieden wird; schnelleres Blut bekommt die Farben der anderen Richtung. Sie endet, wo Echos von der Unterkante des Fensters zu spät kämen (%1)</translation>
+    </message>
+    <message>
+        <source>Colour scale</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Nulllinie</translation>
+    </message>
+    <message>
+        <source>Gives one direction more of the range that is shown, and the other less; double-click for the middle</source>
+        <translation>Gibt der einen Richtung mehr vom gezeigten Bereich und der anderen weniger; Doppelklick für die Mitte</translation>
+    </message>
+    <message>
+        <source>Colour baseline</source>
+        <translation>Nulllinie der Farbe</translation>
+    </message>
+    <message>
+        <source>Wall filter</source>
+        <translation>Wandfilter</translation>
+    </message>
+    <message>
+        <source>Low</source>
+        <translation>Niedrig</translation>
+    </message>
+    <message>
+        <source>Keeps slow blood, and flashes where tissue moves</source>
+        <translation>Behält langsames Blut und blitzt, wo sich Gewebe bewegt</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>For arteries</source>
+        <translation>Für Arterien</translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Keeps fast blood alone, where walls and hearts move</source>
+        <translation>Behält nur schnelles Blut, wo sich Wände und Herzen bewegen</translation>
+    </message>
+    <message>
+        <source>Tilts the box, so that its beams meet a vessel along the skin at less than a right angle</source>
+        <translation>Kippt das Fenster, damit seine Strahlen ein Gefäß längs der Haut flacher als im rechten Winkel treffen</translation>
+    </message>
+    <message>
+        <source>Colour steering</source>
+        <translation>Schwenk der Farbe</translation>
+    </message>
+    <message>
+        <source>Invert colours</source>
+        <translation>Farben umkehren</translation>
+    </message>
+    <message>
+        <source>Blood towards the probe is blue and blood away from it red</source>
+        <translation>Blut zur Sonde hin ist blau, von ihr weg rot</translation>
+    </message>
+    <message>
+        <source>Filter edge</source>
+        <translation>Filtergrenze</translation>
+    </message>
+    <message>
+        <source>PRF</source>
+        <translation>PRF</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>Images per second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Packet</source>
+        <translation>Paket</translation>
+    </message>
+    <message>
+        <source>%1 pulses</source>
+        <translation>%1 Pulse</translation>
+    </message>
+    <message>
+        <source>Pulses along each line: more of them are surer of velocities and of slow blood, and take longer</source>
+        <translation>Pulse je Linie: mehr davon zeigen Geschwindigkeiten und langsames Blut sicherer und dauern länger</translation>
+    </message>
+    <message>
+        <source>Colour packet</source>
+        <translation>Farbpaket</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>A line of colour along every line of the image</source>
+        <translation>Eine Farblinie längs jeder Linie des Bildes</translation>
+    </message>
+    <message>
+        <source>A line of colour for %1 lines of the image: faster, and coarser</source>
+        <translation>Eine Farblinie für %1 Linien des Bildes: schneller und gröber</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Every place by itself</source>
+        <translation>Jede Stelle für sich</translation>
+    </message>
+    <message>
+        <source>Averaged over so many neighbours on either side: smoother, and less sharp</source>
+        <translation>Über so viele Nachbarn auf jeder Seite gemittelt: glatter und weniger scharf</translation>
+    </message>
+    <message>
+        <source>Colour persistence</source>
+        <translation>Farbpersistenz</translation>
+    </message>
+    <message>
+        <source>How much of the last colours stays</source>
+        <translation>Wie viel von den letzten Farben bleibt</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorität</translation>
+    </message>
+    <message>
+        <source>Colour priority</source>
+        <translation>Farbpriorität</translation>
+    </message>
+    <message>
+        <source>Echoes of this grey and brighter are tissue and stay grey</source>
+        <translation>Echos von diesem Grau an sind Gewebe und bleiben grau</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Colour reject</source>
+        <translation>Farbschwelle</translation>
+    </message>
+    <message>
+        <source>Blood slower than this share of the scale has no colour</source>
+        <translation>Blut, das langsamer ist als dieser Anteil der Skala, hat keine Farbe</translation>
+    </message>
+    <message>
+        <source>Doppler frequency</source>
+        <translation>Dopplerfrequenz</translation>
+    </message>
+    <message>
+        <source>What is sent for colour: lower reaches deeper and has a larger scale; double-click for the usual one</source>
+        <translation>Was für Farbe gesendet wird: niedriger reicht tiefer und hat eine größere Skala; Doppelklick für die übliche</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CostChart</name>
@@ -17660,6 +17892,26 @@
         <source>&amp;Tracker…</source>
         <translation>&amp;Tracker …</translation>
     </message>
+    <message>
+        <source>Colour Doppler</source>
+        <translation>Farbdoppler</translation>
+    </message>
+    <message>
+        <source>Larger scale of colour</source>
+        <translation>Größere Farbskala</translation>
+    </message>
+    <message>
+        <source>Smaller scale of colour</source>
+        <translation>Kleinere Farbskala</translation>
+    </message>
+    <message>
+        <source>More gain of colour</source>
+        <translation>Mehr Farbverstärkung</translation>
+    </message>
+    <message>
+        <source>Less gain of colour</source>
+        <translation>Weniger Farbverstärkung</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::AccessLock</name>
@@ -18016,6 +18268,10 @@
     <message>
         <source>&amp;Quality</source>
         <translation>&amp;Qualität</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Farbe</translation>
     </message>
 </context>
 <context>
@@ -19465,6 +19721,41 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>The mouse has the probe. Tracker: %1.</source>
         <translation>Die Maus führt die Sonde. Tracker: %1.</translation>
+    </message>
+    <message>
+        <source>cm/s</source>
+        <translation>cm/s</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <comment>power</comment>
+        <translation>viel</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <comment>power</comment>
+        <translation>wenig</translation>
+    </message>
+    <message>
+        <source>   colour %1 cm/s</source>
+        <translation>   Farbe %1 cm/s</translation>
+    </message>
+    <message>
+        <source>   filter %1 cm/s</source>
+        <translation>   Filter %1 cm/s</translation>
+    </message>
+    <message>
+        <source>   %1 images/s</source>
+        <comment>colour</comment>
+        <translation>   %1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>drag: move the colour box</source>
+        <translation>ziehen: das Farbfenster verschieben</translation>
+    </message>
+    <message>
+        <source>drag: resize the colour box</source>
+        <translation>ziehen: die Größe des Farbfensters ändern</translation>
     </message>
 </context>
 <context>

@@ -174,8 +174,8 @@ class UsabilityFixture : public WindowFixture {
       QTest::qWait(10);
       if (n == 0)
         for (const char* first : {"presets", "focus", "modeB", "flip"}) look(first);
-      if (n == 2) look("probe");
-      if (n == 3) look("caliper-distance");
+      if (n == 3) look("probe");
+      if (n == 4) look("caliper-distance");
       for (const QString& each : textsStillCut()) missing << QStringLiteral("page %1: ").arg(n + 1) + each;
     }
     pages->setCurrentIndex(0);

@@ -39,6 +39,7 @@ void ScanConsole::takeProbe(const Probe& probe) {
   knobs.carrier_hz = 0.0;
   knobs.steering_rad = 0.0;
   knobs.trapezoid = false;
+  if (knobs.colour) knobs.colour->boxMiddle_mm = knobs.colour->boxHeight_mm = knobs.colour->steering_rad = knobs.colour->carrier_hz = 0.0;
   probeControl_.pressAsUsual(probe);
 }
 

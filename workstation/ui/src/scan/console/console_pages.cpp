@@ -1,4 +1,4 @@
-// The console's pages of the image and of the probe; console_effects.cpp has the third.
+// The console's pages of the image and of the probe; console_colour.cpp and console_effects.cpp have the others.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -363,27 +363,28 @@ void ConsolePanel::addSteering(QVBoxLayout* rows) {
   });
 }
 
+void ConsolePanel::addFact(QVBoxLayout* rows, const QString& name, const QString& widest, std::function<QString()> text) {
+  auto* line = new QHBoxLayout;
+  auto* value = new FigureLabel(widest);
+  line->addWidget(quietLabel(name));
+  line->addStretch(1);
+  line->addWidget(value);
+  rows->addLayout(line);
+  rows->addSpacing(4);
+  shows_.emplace_back([value, text = std::move(text)] { value->setText(text()); });
+}
+
 /// What the probe is, for whoever wonders why it shows what it shows.
 void ConsolePanel::addFacts(QVBoxLayout* rows) {
   rows->addSpacing(8);
-  const auto fact = [this, rows](const QString& name, const QString& widest, std::function<QString()> text) {
-    auto* line = new QHBoxLayout;
-    auto* value = new FigureLabel(widest);
-    line->addWidget(quietLabel(name));
-    line->addStretch(1);
-    line->addWidget(value);
-    rows->addLayout(line);
-    rows->addSpacing(4);
-    shows_.emplace_back([value, text = std::move(text)] { value->setText(text()); });
-  };
-  fact(tr("Scan lines"), QStringLiteral("512"), [this] { return QString::number(session_.console().probe().lines); });
-  fact(tr("Face"), QStringLiteral("88 mm"),
-       [this] { return tr("%1 mm").arg(rounded(2.0 * faceHalfWidth_mm(session_.console().probe()))); });
-  fact(tr("Depths"), QStringLiteral("88–888 mm"), [this] {
+  addFact(rows, tr("Scan lines"), QStringLiteral("512"), [this] { return QString::number(session_.console().probe().lines); });
+  addFact(rows, tr("Face"), QStringLiteral("88 mm"),
+          [this] { return tr("%1 mm").arg(rounded(2.0 * faceHalfWidth_mm(session_.console().probe()))); });
+  addFact(rows, tr("Depths"), QStringLiteral("88–888 mm"), [this] {
     return tr("%1–%2 mm").arg(rounded(session_.console().probe().minDepth_mm)).arg(rounded(session_.console().probe().maxDepth_mm));
   });
-  fact(tr("Slice, thinnest"), QStringLiteral("8.8 mm"),
-       [this] { return tr("%1 mm").arg(figure(session_.console().probe().elevationalThickness_mm, 1)); });
+  addFact(rows, tr("Slice, thinnest"), QStringLiteral("8.8 mm"),
+          [this] { return tr("%1 mm").arg(figure(session_.console().probe().elevationalThickness_mm, 1)); });
 }
 
 }  // namespace ew::ui

@@ -72,9 +72,11 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
                    addImagePage(page);
                  }),
                  tr("Image"));
+  pages_->addTab(makePage([this](QVBoxLayout* page) { addColourPage(page); }), tr("Colour"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addEffectsPage(page); }), tr("Effects"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addProbePage(page); }), tr("Probe"));
   const QString keys[] = {tipWithKeys(tr("What the image shows and how (%1)"), "console.nextPage"),
+                          tipWithKeys(tr("Colour Doppler: how blood moves (%1)"), "console.nextPage"),
                           tipWithKeys(tr("What the scene does to the sound (%1)"), "console.nextPage"),
                           tipWithKeys(tr("The transducer and its beams (%1)"), "console.nextPage")};
   pageTips_.assign(std::begin(keys), std::end(keys));

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -28,9 +29,9 @@ namespace ew::ui {
 
 class KeyTips;
 
-/// The machine's front panel. Gain and depth are always under the thumb, and so are mode, orientation and freeze; between them lie three
-/// pages: the image, the effects of the scene, the probe. It shows and sets the session's knobs and scene; the DGC sliders stand beside the
-/// image (dgc_column.h). What is off looks off; what a probe does not have is not there.
+/// The machine's front panel. Gain and depth are always under the thumb, and so are mode, orientation and freeze; between them lie four
+/// pages: the image, its colours, the effects of the scene, the probe. It shows and sets the session's knobs and scene; the DGC sliders
+/// stand beside the image (dgc_column.h). What is off looks off; what a probe does not have is not there.
 class ConsolePanel final : public QWidget {
   Q_OBJECT
 
@@ -113,12 +114,14 @@ class ConsolePanel final : public QWidget {
   void addGainLaws(QVBoxLayout* rows);
   void addZoomButtons(QVBoxLayout* rows);
   void addAdvanced(QVBoxLayout* rows);
+  void addColourPage(QVBoxLayout* rows);
   void addEffectsPage(QVBoxLayout* rows);
   void addProbePage(QVBoxLayout* rows);
   void addTransducers(QVBoxLayout* rows);
   void addFrequencies(QVBoxLayout* rows);
   void addSteering(QVBoxLayout* rows);
   void addFacts(QVBoxLayout* rows);
+  void addFact(QVBoxLayout* rows, const QString& name, const QString& widest, std::function<QString()> text);
   void addAlways(QVBoxLayout* rows);
   void addEffect(QVBoxLayout* rows, const EffectInfo& effect);
   void addStrength(QVBoxLayout* rows, const EffectInfo& effect, const EffectStrength& strength);
@@ -134,6 +137,8 @@ class ConsolePanel final : public QWidget {
   bool showing_ = false;
   std::vector<std::function<void()>> shows_;  ///< each brings one control to what the session says
   Scene remembered_;                          ///< an effect that is switched on again has the strength it had
+  class ColourPage;
+  std::shared_ptr<ColourPage> colourPage_;
   QTabWidget* pages_ = nullptr;
   std::vector<QString> pageTips_;
   std::vector<QPushButton*> folds_;

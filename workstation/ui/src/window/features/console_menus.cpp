@@ -28,6 +28,7 @@ void ConsoleMenus::addConsoleMenu(QMenu& console) {
   parts_.zoomAndWide->addActions(console);
   console.addSeparator();
   addImageMenu(*console.addMenu(tr("&Image")));
+  addColourMenu(*console.addMenu(tr("&Colour")));
   addEffectsMenu(*console.addMenu(tr("&Effects")));
   addProbeMenu(*console.addMenu(tr("&Probe")));
   addTimeMenu(*console.addMenu(tr("&M-mode")));
@@ -83,6 +84,16 @@ void ConsoleMenus::addImageMenu(QMenu& image) {
   image.addSeparator();
   commands.addConsole(image, "flip.sides", "flip", 1);
   commands.addConsole(image, "flip.upsideDown", "upsideDown", 1);
+}
+
+void ConsoleMenus::addColourMenu(QMenu& colour) {
+  Commands& commands = *parts_.commands;
+  commands.addConsole(colour, "colour", "colour", 1);
+  colour.addSeparator();
+  commands.addConsole(colour, "colour.scaleMore", "colourScale", 1);
+  commands.addConsole(colour, "colour.scaleLess", "colourScale", -1);
+  commands.addConsole(colour, "colour.gainMore", "colourGain", 1);
+  commands.addConsole(colour, "colour.gainLess", "colourGain", -1);
 }
 
 void ConsoleMenus::addEffectsMenu(QMenu& effects) {
