@@ -7,10 +7,11 @@
 
 namespace ew::ui {
 
-ScanPan::ScanPan(Session& session, ScanView& view) : QObject(&view), session_(session), view_(view) {
+ScanPan::ScanPan(Session& session, ScanView& view) : QObject(&view), session_(session), view_(view), box_(session, view) {
   view_.installEventFilter(this);
   connect(&session_, &Session::imageChanged, this, &ScanPan::showCursor);
   connect(&session_, &Session::frozenChanged, this, &ScanPan::showCursor);
+  connect(&session_, &Session::subjectReplaced, this, [this] { box_.end(); });
   showCursor();
 }
 
@@ -18,7 +19,9 @@ bool ScanPan::pans() const { return session_.subject() && !session_.isPlaying() 
 
 void ScanPan::showCursor() {
   if (panning_) return;
+  const auto ofBox = box_.cursor();
   const Qt::CursorShape shape = !session_.subject()   ? Qt::ArrowCursor
+                                : ofBox               ? *ofBox
                                 : pans()              ? Qt::OpenHandCursor
                                 : session_.isFrozen() ? Qt::ArrowCursor
                                                       : Qt::SizeAllCursor;
@@ -26,6 +29,10 @@ void ScanPan::showCursor() {
 }
 
 bool ScanPan::eventFilter(QObject* watched, QEvent* event) {
+  if (!panning_ && box_.handle(*event)) {
+    showCursor();
+    return true;
+  }
   switch (event->type()) {
     case QEvent::MouseButtonPress: {
       const auto& mouse = *static_cast<QMouseEvent*>(event);
@@ -36,7 +43,10 @@ bool ScanPan::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
     case QEvent::MouseMove: {
-      if (!panning_) break;
+      if (!panning_) {
+        showCursor();
+        break;
+      }
       const QPointF by = static_cast<QMouseEvent*>(event)->localPos() - last_;
       last_ = static_cast<QMouseEvent*>(event)->localPos();
       const DisplayGeometry& geometry = session_.geometry();

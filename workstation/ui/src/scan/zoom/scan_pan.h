@@ -3,13 +3,15 @@
 #include <QObject>
 #include <QPointF>
 
+#include "scan/colour_box_drag.h"
+
 namespace ew::ui {
 
 class ScanView;
 class Session;
 
-/// What a drag in the scan does: in a zoomed image it moves the detail that is shown, otherwise the hand takes it and slides the probe. The
-/// pointer shows which of the two it will be. Made after the hand, so that it sees the mouse first.
+/// What a drag in the scan does: at the colour box it is the box's, in a zoomed image it moves the detail that is shown, otherwise the hand
+/// takes it and slides the probe. The pointer shows which of them it will be. Made after the hand, so that it sees the mouse first.
 class ScanPan final : public QObject {
   Q_OBJECT
 
@@ -24,6 +26,7 @@ class ScanPan final : public QObject {
   [[nodiscard]] bool pans() const;
   Session& session_;
   ScanView& view_;
+  ColourBoxDrag box_;
   bool panning_ = false;
   QPointF last_;
 };

@@ -1,0 +1,6 @@
+#pragma once
+
+// What tests reach: what colour Doppler puts on an image, and its box under the mouse.
+
+#include "scan/colour_box_drag.h"
+#include "scan/colour_on_image.h"
