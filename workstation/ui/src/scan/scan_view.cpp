@@ -32,6 +32,7 @@ constexpr int kMostOverImage =
 constexpr int kHint_px = 220;  // what a drag does
 constexpr int kSaidLong_ms = 3000;
 constexpr int kLeastBesideNumbers_px = 240;
+constexpr int kShortestBar_px = 40, kShorterBar_px = 8;
 
 int leftRoom_px() { return DgcColumn::wanted_px(); }
 int rightRoom_px() { return 26 + scaled(38); }  // depth scale
@@ -236,9 +237,12 @@ void ScanView::placeColourBar() {
   std::vector<QRect> taken = isZoomed() ? std::vector<QRect>() : fanRects();
   taken.push_back(resultsRect_);
   if (mode() == DisplayMode::both) taken.push_back(stripRect());
-  const QSize size = sizeOfColourBar(imageRect().height(), hasBarNumbers(*this));
-  bar_ = placeOfColourBar(room, taken, size);
-  if (bar_.isNull() && isZoomed()) bar_ = QRect(QPoint(room.right() + 1 - size.width(), room.top()), size);
+  const bool hasNumbers = hasBarNumbers(*this);
+  const QSize usual = sizeOfColourBar(imageRect().height(), hasNumbers);
+  const int least_px = hasNumbers ? usual.height() : kShortestBar_px;
+  for (QSize size = usual; bar_.isNull() && size.height() >= least_px; size.rheight() -= kShorterBar_px)
+    bar_ = placeOfColourBar(room, taken, size);
+  if (bar_.isNull() && isZoomed()) bar_ = QRect(QPoint(room.right() + 1 - usual.width(), room.top()), usual);
 }
 
 bool ScanView::fitsBeside(const Knobs& whole) {
