@@ -174,7 +174,7 @@ TEST(DicomImage, OfMModeHasASecondRegionInSecondsAndCentimetres) {
   Knobs knobs;
   knobs.mode = DisplayMode::both;
   knobs.mSweep_s = 3.22;
-  const Still still = stillOf({.grey = viewOf(image)}, viewOf(below), geometry, knobs);
+  const Still still = stillOf({.grey = viewOf(image)}, viewOf(below), geometry, {}, knobs);
   EXPECT_EQ(still.size_px(), glm::ivec2(161, 242));
   ASSERT_TRUE(succeeded(writeDicomImage(still, someOptions(), someStudy(), folder / "a.dcm")));
   EXPECT_EQ(faultsIn(folder / "a.dcm"), "");
@@ -195,12 +195,61 @@ TEST(DicomImage, OfMModeHasASecondRegionInSecondsAndCentimetres) {
   EXPECT_EQ(cine->sequence.pixels, image.pixels);
 
   knobs.mode = DisplayMode::mMode;
-  const Still alone = stillOf({.grey = viewOf(image)}, viewOf(below), geometry, knobs);
+  const Still alone = stillOf({.grey = viewOf(image)}, viewOf(below), geometry, {}, knobs);
   EXPECT_EQ(std::get<GreyImage>(alone.pixels), below);
   ASSERT_EQ(alone.regions.size(), 1u);
   EXPECT_EQ(alone.regions.front().kind, RegionCalibration::Kind::strip);
   knobs.mode = DisplayMode::bMode;
-  EXPECT_EQ(std::get<GreyImage>(stillOf({.grey = viewOf(image)}, viewOf(below), geometry, knobs).pixels), image);
+  EXPECT_EQ(std::get<GreyImage>(stillOf({.grey = viewOf(image)}, viewOf(below), geometry, {}, knobs).pixels), image);
+}
+
+TEST(DicomImage, OfDopplerHasRegionsOfColourAndSpectrumBehindTheTissue) {
+  const TemporaryFolder folder;
+  Probe probe = smallProbe();
+  Knobs knobs;
+  knobs.mode = DisplayMode::spectrum;
+  knobs.mSweep_s = 3.22;
+  knobs.colour = ColourDoppler{.boxMiddle = 0.2, .boxWidth = 0.4};
+  knobs.spectral = SpectralDoppler{.angle_rad = 1.0471975511965976, .prf_hz = 4000.0, .baseline = 0.3};
+  const DisplayGeometry geometry = fitDisplay(probe, knobs, kSize_px.x, kSize_px.y);
+  const GreyImage image = pattern(), below = pattern(kSize_px, 3);
+  Image<Rgba> colours(kSize_px.x, kSize_px.y, Rgba(0));
+  viewOf(colours).at(80, 60) = {200, 20, 0, 255};
+  const Still still = stillOf({viewOf(image), viewOf(std::as_const(colours))}, viewOf(below), geometry, probe, knobs);
+  ASSERT_EQ(still.regions.size(), 3u);
+  EXPECT_EQ(still.regions[0].kind, RegionCalibration::Kind::image);
+  ASSERT_TRUE(succeeded(writeDicomImage(still, imageOptions(probe, knobs, geometry, 1, someStudy().begun), someStudy(), folder / "a.dcm")));
+  EXPECT_EQ(faultsIn(folder / "a.dcm"), "");
+  const auto summary = inspectDicom(folder / "a.dcm");
+  ASSERT_TRUE(succeeded(summary));
+  ASSERT_EQ(summary->regions.size(), 3u);
+  const UltrasoundRegion &colour = summary->regions[1], &spectrum = summary->regions[2];
+  EXPECT_EQ(colour.spatialFormat, 1);
+  EXPECT_EQ(colour.dataType, 2);
+  EXPECT_EQ(colour.unitsX, 3);
+  EXPECT_EQ(colour.unitsY, 3);
+  // A pixel of the box lies where the image says it does.
+  const glm::dvec2 inBox_mm = 10.0 * colour.referenceValue - *colour.referencePixel * colour.pixel_mm();
+  const glm::dvec2 true_mm = geometry.probePoint_mm(colour.rect.x, colour.rect.y) * glm::dvec2(geometry.markerLeft ? -1.0 : 1.0, 1.0);
+  EXPECT_NEAR(inBox_mm.x, true_mm.x, 1e-9);
+  EXPECT_NEAR(inBox_mm.y, true_mm.y, 1e-9);
+  EXPECT_EQ(spectrum.spatialFormat, 3);
+  EXPECT_EQ(spectrum.dataType, 3);
+  EXPECT_EQ(spectrum.unitsX, 4);
+  EXPECT_EQ(spectrum.unitsY, 7);
+  EXPECT_EQ(spectrum.rect, (PixelRect{0, kSize_px.y, kSize_px.x, kSize_px.y}));
+  EXPECT_NEAR(spectrum.deltaX * kSize_px.x, 3.22, 1e-12);
+  // Twice the velocity along the line, since the angle is 60 degrees; the uppermost edge is the highest.
+  const SpectralGate gate = spectralGateOf(probe, knobs);
+  const double top = spectrum.referenceValue.y + (-0.5 - spectrum.referencePixel->y) * spectrum.deltaY;
+  EXPECT_NEAR(top, 1.3 * 2.0 * gate.nyquist_mmPerS / 10.0, 1e-9);
+  EXPECT_LT(spectrum.deltaY, 0.0);
+  // A second program reads the units and how Doppler was set.
+  EW_NEEDS_PROGRAM("dcmdump");
+  const std::string dump = said("dcmdump " + (folder / "a.dcm").string()).text;
+  for (const char* part : {"(0018,6024) US 4", "(0018,6026) US 7", "(0018,6012) US 3", "(0018,6032) UL 4000", "(0018,6034) FD 6",
+                           "(0008,0008) CS [DERIVED\\PRIMARY\\\\0019]"})
+    EXPECT_NE(dump.find(part), std::string::npos) << part << "\n" << dump;
 }
 
 TEST(DicomImage, OfAScanGivesTheSameMillimetresAsTheScanner) {
@@ -215,7 +264,7 @@ TEST(DicomImage, OfAScanGivesTheSameMillimetresAsTheScanner) {
       state.knobs.zoom = zoom;
       const DisplayImage image = scanner.make(state, 320, 240);
       const DisplayGeometry& geometry = scanner.geometry();
-      const Still still = stillOf(image, scanner.strip(), geometry, state.knobs);
+      const Still still = stillOf(image, scanner.strip(), geometry, state.probe, state.knobs);
       ASSERT_TRUE(succeeded(
           writeDicomImage(still, imageOptions(state.probe, state.knobs, geometry, 1, someStudy().begun), someStudy(), folder / "a.dcm")));
       const auto cine = readDicomCine(folder / "a.dcm");

@@ -19,6 +19,18 @@ ImageRecord stored() {
   image.options.taken = std::chrono::sys_seconds(std::chrono::seconds(1764312000));
   image.regions.push_back({RegionCalibration::Kind::image, {12, 48, 640, 480}, {0.0123, 0.0123}, {320, -14}, {0.0, 0.0}});
   image.regions.push_back({RegionCalibration::Kind::strip, {12, 540, 640, 200}, {0.00625, 0.03}, {0, 0}, {0.0, 0.0}});
+  image.regions.push_back({RegionCalibration::Kind::spectrum,
+                           {12, 760, 640, 200},
+                           {0.00625, -0.5},
+                           {0, 90},
+                           {0.0, 0.1},
+                           RegionCalibration::Doppler{4000.0, 5e6, -12.0, 60.0, glm::ivec2(300, 200)}});
+  image.regions.push_back({RegionCalibration::Kind::colour,
+                           {100, 100, 90, 80},
+                           {0.0123, 0.0123},
+                           {10, -14},
+                           {0.0, 0.0},
+                           RegionCalibration::Doppler{5000.0, 5e6}});
   image.caption = "Linear, 6.1 cm, 10:00";
   image.hasLeft = true;
   image.study.patient = {"Maren Achterberg", "EW-17", "female", 61};

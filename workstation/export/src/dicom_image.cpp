@@ -9,6 +9,8 @@
 #include "ew/core/contract.h"
 #include "ew/core/word_table.h"
 #include "ew/imaging/caption.h"
+#include "ew/imaging/colour_doppler.h"
+#include "ew/imaging/spectral_doppler.h"
 #include "ew/io/safe_file.h"
 
 namespace ew {
@@ -21,31 +23,61 @@ constexpr std::uint64_t kMostPixelBytes = 0xFFFFFFFE;  // of a value of defined 
 constexpr double kMm_per_cm = 10.0;
 
 // PS3.3, C.8.5.5.1
-constexpr std::uint32_t kFormatImage = 1, kFormatStrip = 2;
-constexpr std::uint32_t kTissue = 1;
-constexpr std::uint32_t kCm = 3, kSeconds = 4;
+constexpr std::uint32_t kFormatImage = 1, kFormatStrip = 2, kFormatSpectrum = 3;
+constexpr std::uint32_t kTissue = 1, kColourFlow = 2, kPulsedWave = 3;
+constexpr std::uint32_t kCm = 3, kSeconds = 4, kCmPerS = 7;
+
+/// Format, type and units of a kind of region.
+struct RegionCodes {
+  std::uint32_t format, type, unitX, unitY;
+};
+RegionCodes codesOf(RegionCalibration::Kind kind) {
+  switch (kind) {
+    case RegionCalibration::Kind::image:
+      return {kFormatImage, kTissue, kCm, kCm};
+    case RegionCalibration::Kind::strip:
+      return {kFormatStrip, kTissue, kSeconds, kCm};
+    case RegionCalibration::Kind::colour:
+      return {kFormatImage, kColourFlow, kCm, kCm};
+    case RegionCalibration::Kind::spectrum:
+      return {kFormatSpectrum, kPulsedWave, kSeconds, kCmPerS};
+  }
+  return {kFormatImage, kTissue, kCm, kCm};
+}
+std::uint32_t roundedOf(double value) { return static_cast<std::uint32_t>(std::lround(value)); }
+
+void putDoppler(Elements& inside, const RegionCalibration::Doppler& doppler, bool isSpectrum) {
+  inside.whole(DCM_PulseRepetitionFrequency, roundedOf(doppler.prf_hz));
+  if (isSpectrum) inside.real(DCM_DopplerCorrectionAngle, doppler.angle_deg);
+  inside.real(DCM_SteeringAngle, doppler.steering_deg);
+  if (!doppler.volume_px) return;
+  inside.signedWhole(DCM_DopplerSampleVolumeXPosition, doppler.volume_px->x);
+  inside.signedWhole(DCM_DopplerSampleVolumeYPosition, doppler.volume_px->y);
+}
 
 void putRegions(Elements& elements, std::span<const RegionCalibration> regions, double carrier_hz) {
   for (const RegionCalibration& region : regions) {
     auto item = std::make_unique<DcmItem>();
     Elements inside(*item);
-    const bool isStrip = region.kind == RegionCalibration::Kind::strip;
-    inside.whole(DCM_RegionSpatialFormat, isStrip ? kFormatStrip : kFormatImage);
-    inside.whole(DCM_RegionDataType, kTissue);
+    const RegionCodes codes = codesOf(region.kind);
+    inside.whole(DCM_RegionSpatialFormat, codes.format);
+    inside.whole(DCM_RegionDataType, codes.type);
     inside.whole(DCM_RegionFlags, 0);  // opaque, not scrolled by whoever shows it
     inside.whole(DCM_RegionLocationMinX0, static_cast<std::uint32_t>(region.rect.x));
     inside.whole(DCM_RegionLocationMinY0, static_cast<std::uint32_t>(region.rect.y));
     inside.whole(DCM_RegionLocationMaxX1, static_cast<std::uint32_t>(region.rect.x + region.rect.width - 1));
     inside.whole(DCM_RegionLocationMaxY1, static_cast<std::uint32_t>(region.rect.y + region.rect.height - 1));
-    inside.whole(DCM_PhysicalUnitsXDirection, isStrip ? kSeconds : kCm);
-    inside.whole(DCM_PhysicalUnitsYDirection, kCm);
+    inside.whole(DCM_PhysicalUnitsXDirection, codes.unitX);
+    inside.whole(DCM_PhysicalUnitsYDirection, codes.unitY);
     inside.signedWhole(DCM_ReferencePixelX0, region.reference_px.x);
     inside.signedWhole(DCM_ReferencePixelY0, region.reference_px.y);
     inside.real(DCM_ReferencePixelPhysicalValueX, region.referenceValue.x);
     inside.real(DCM_ReferencePixelPhysicalValueY, region.referenceValue.y);
     inside.real(DCM_PhysicalDeltaX, region.delta.x);
     inside.real(DCM_PhysicalDeltaY, region.delta.y);
-    if (carrier_hz > 0.0) inside.whole(DCM_TransducerFrequency, static_cast<std::uint32_t>(std::lround(carrier_hz / 1000.0)));  // kHz
+    const double sent_hz = region.doppler ? region.doppler->carrier_hz : carrier_hz;
+    if (sent_hz > 0.0) inside.whole(DCM_TransducerFrequency, roundedOf(sent_hz / 1000.0));  // kHz
+    if (region.doppler) putDoppler(inside, *region.doppler, region.kind == RegionCalibration::Kind::spectrum);
     elements.keep(inside.check() ? EC_Normal : EC_IllegalCall, "Sequence of Ultrasound Regions");
     elements.keep(elements.item().insertSequenceItem(DCM_SequenceOfUltrasoundRegions, item.release()), "Sequence of Ultrasound Regions");
   }
@@ -58,11 +90,19 @@ constexpr WordTable<ProbeKind, 5> kProbeKindWords{{{"LINEAR", ProbeKind::linear}
                                                    {"SECTOR_MECH", ProbeKind::sweptSector}}};
 const char* transducerOf(ProbeKind kind) { return wordIn(kProbeKindWords, kind); }
 
-/// The modes in an image, as value 4 of Image Type has them (PS3.3, C.8.5.6.1.1): 1 is two-dimensional, 2 M-mode, 10 colour Doppler.
+/// The modes in an image, as value 4 of Image Type has them (PS3.3, C.8.5.6.1.1): 1 is two-dimensional, 2 M-mode, 8 pulsed wave Doppler,
+/// 10 colour Doppler.
 std::string modesOf(std::span<const RegionCalibration> regions, bool isColour) {
   unsigned modes = 0;
-  for (const RegionCalibration& region : regions) modes |= region.kind == RegionCalibration::Kind::strip ? 2U : 1U;
-  return std::string("00") + (isColour ? '1' : '0') + static_cast<char>('0' + modes);
+  bool hasBox = isColour;
+  for (const RegionCalibration& region : regions) {
+    if (region.kind == RegionCalibration::Kind::strip) modes |= 2U;
+    if (region.kind == RegionCalibration::Kind::image) modes |= 1U;
+    if (region.kind == RegionCalibration::Kind::spectrum) modes |= 8U;
+    hasBox = hasBox || region.kind == RegionCalibration::Kind::colour;
+  }
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  return std::string("00") + (hasBox ? '1' : '0') + kDigits[modes];
 }
 
 struct Shape {
@@ -150,7 +190,9 @@ Result<void> checkShape(const Shape& shape, std::span<const RegionCalibration> r
     const PixelRect& rect = region.rect;
     EW_EXPECTS(rect.x >= 0 && rect.y >= 0 && rect.width > 0 && rect.height > 0);
     EW_EXPECTS(rect.x + rect.width <= shape.size_px.x && rect.y + rect.height <= shape.size_px.y);
-    if (!std::isfinite(region.delta.x) || !std::isfinite(region.delta.y) || !(region.delta.x > 0.0) || !(region.delta.y > 0.0))
+    // Velocities may rise up a spectrum, against its rows.
+    const double down = region.kind == RegionCalibration::Kind::spectrum ? std::abs(region.delta.y) : region.delta.y;
+    if (!std::isfinite(region.delta.x) || !std::isfinite(down) || !(region.delta.x > 0.0) || !(down > 0.0))
       return failure(ErrorCode::badField, say<"A region of the image has no size of a pixel, so that nobody could measure in it.">());
   }
   return {};
@@ -239,18 +281,72 @@ RegionCalibration regionOfStrip(glm::ivec2 size_px, double sweep_s, double depth
   return region;
 }
 
+std::optional<RegionCalibration> regionOfColour(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry,
+                                                glm::ivec2 corner_px) {
+  if (!knobs.colour) return std::nullopt;
+  const glm::dmat4 toImage = inverse(geometry.imageToProbe()).matrix;
+  glm::dvec2 low(1e300), high(-1e300);
+  for (const glm::dvec2& at_mm : colourBoxOutline_mm(probe, knobs)) {
+    const glm::dvec2 at_px(toImage * glm::dvec4(at_mm, 0.0, 1.0));
+    low = glm::min(low, at_px);
+    high = glm::max(high, at_px);
+  }
+  const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(low + 0.5)), glm::ivec2(0));
+  const glm::ivec2 last = glm::min(glm::ivec2(glm::floor(high + 0.5)), glm::ivec2(geometry.width, geometry.height) - 1);
+  if (last.x < first.x || last.y < first.y) return std::nullopt;
+  RegionCalibration region = regionOf(geometry, corner_px);
+  region.kind = RegionCalibration::Kind::colour;
+  region.rect = {corner_px.x + first.x, corner_px.y + first.y, last.x - first.x + 1, last.y - first.y + 1};
+  region.reference_px -= first;
+  const ColourBox box = colourBoxOf(probe, knobs);
+  region.doppler = {.prf_hz = box.prf_hz, .carrier_hz = box.carrier_hz, .steering_deg = glm::degrees(box.steering_rad)};
+  return region;
+}
+
+RegionCalibration regionOfSpectrum(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry, glm::ivec2 size_px,
+                                   double sweep_s, glm::ivec2 corner_px, glm::ivec2 image_px) {
+  EW_EXPECTS(knobs.spectral.has_value() && size_px.x > 0 && size_px.y > 0);
+  constexpr double kMmPerS_per_cmPerS = 10.0;
+  const SpectralGate gate = spectralGateOf(probe, knobs);
+  const double lowest = gate.shown_mmPerS.first / kMmPerS_per_cmPerS, highest = gate.shown_mmPerS.second / kMmPerS_per_cmPerS;
+  const bool isInverted = knobs.spectral->invert;
+  RegionCalibration region;
+  region.kind = RegionCalibration::Kind::spectrum;
+  region.rect = {corner_px.x, corner_px.y, size_px.x, size_px.y};
+  region.delta = {sweep_s / size_px.x, (isInverted ? 1.0 : -1.0) * (highest - lowest) / size_px.y};
+  // The row of the baseline, whose middle need not be 0 to the bit.
+  const double top = isInverted ? lowest : highest;
+  const double baseline = -top / region.delta.y - 0.5;
+  region.reference_px = {0, static_cast<int>(std::lround(baseline))};
+  region.referenceValue = {0.0, (region.reference_px.y - baseline) * region.delta.y};
+  const glm::dvec2 volume(inverse(geometry.imageToProbe()).matrix * glm::dvec4(gate.middle_mm, 0.0, 1.0));
+  region.doppler = {.prf_hz = gate.prf_hz,
+                    .carrier_hz = gate.carrier_hz,
+                    .steering_deg = glm::degrees(std::atan2(gate.direction.x, gate.direction.y)),
+                    .angle_deg = glm::degrees(knobs.spectral->angle_rad),
+                    .volume_px = image_px + glm::ivec2(glm::round(volume))};
+  return region;
+}
+
 glm::ivec2 Still::size_px() const {
   return std::visit([](const auto& image) { return glm::ivec2(image.width, image.height); }, pixels);
 }
 
-Still stillOf(const DisplayImage& display, ImageView<const std::uint8_t> strip, const DisplayGeometry& geometry, const Knobs& knobs) {
+Still stillOf(const DisplayImage& display, ImageView<const std::uint8_t> strip, const DisplayGeometry& geometry, const Probe& probe,
+              const Knobs& knobs) {
   const bool hasStrip = strip.width > 0 && knobs.mode != DisplayMode::bMode;
   const bool hasImage = !hasStrip || knobs.mode != DisplayMode::mMode;
   const int imageHeight = hasImage ? display.height() : 0;
   const glm::ivec2 size_px(display.width(), imageHeight + (hasStrip ? strip.height : 0));
   Still still;
   if (hasImage) still.regions.push_back(regionOf(geometry));
-  if (hasStrip) still.regions.push_back(regionOfStrip({strip.width, strip.height}, knobs.mSweep_s, geometry.depth_mm, {0, imageHeight}));
+  if (hasImage && display.hasColour())
+    if (auto box = regionOfColour(probe, knobs, geometry)) still.regions.push_back(*box);
+  const glm::ivec2 strip_px(strip.width, strip.height), below_px(0, imageHeight);
+  if (hasStrip && knobs.mode == DisplayMode::spectrum && knobs.spectral)
+    still.regions.push_back(regionOfSpectrum(probe, knobs, geometry, strip_px, knobs.mSweep_s, below_px, glm::ivec2(0)));
+  else if (hasStrip)
+    still.regions.push_back(regionOfStrip(strip_px, knobs.mSweep_s, geometry.depth_mm, below_px));
   const auto rowsInto = [&](auto& image, int at, const auto& source) {
     using Pixel = typename std::decay_t<decltype(image.pixels)>::value_type;
     for (int y = 0; y < source.height; ++y)

@@ -49,7 +49,8 @@ Result<DicomReference> writeDicomScan(const ScanLog& log, const std::vector<std:
     const auto made = make(n);
     if (!made) return passOn(made.error());
     geometry = made->second;
-    return stillOf(made->first, {}, geometry, log.frame(frames[n]).knobs);
+    const ScanState state = log.frame(frames[n]);
+    return stillOf(made->first, {}, geometry, state.probe, state.knobs);
   };
   auto first = stillAt(0);
   if (!first) return passOn(first.error());

@@ -15,14 +15,36 @@ using Kind = RegionCalibration::Kind;
 
 constexpr std::size_t kLongestStoredText = 10000;
 constexpr double kLatest_s = 253402300799.0;  // the end of the year 9999
-constexpr WordTable<Kind, 2> kRegionWords{{{"picture", Kind::image}, {"strip", Kind::strip}}};
+constexpr WordTable<Kind, 4> kRegionWords{
+    {{"picture", Kind::image}, {"strip", Kind::strip}, {"colour", Kind::colour}, {"spectrum", Kind::spectrum}}};
+
+json jsonOfDoppler(const RegionCalibration::Doppler& doppler) {
+  json written = {{"prf_hz", doppler.prf_hz},
+                  {"carrier_hz", doppler.carrier_hz},
+                  {"steering_deg", doppler.steering_deg},
+                  {"angle_deg", doppler.angle_deg}};
+  if (doppler.volume_px) written["volume_px"] = {doppler.volume_px->x, doppler.volume_px->y};
+  return written;
+}
+
+RegionCalibration::Doppler dopplerIn(const JsonFields& fields) {
+  RegionCalibration::Doppler doppler{.prf_hz = fields.number("prf_hz", 0.0, 1e6),
+                                     .carrier_hz = fields.number("carrier_hz", 0.0, 1e9),
+                                     .steering_deg = fields.number("steering_deg", -90.0, 90.0),
+                                     .angle_deg = fields.number("angle_deg", -90.0, 90.0)};
+  if (const auto at = fields.numbers("volume_px", 2, 2, -65535, 65535, false); at.size() == 2)
+    doppler.volume_px = {static_cast<int>(at[0]), static_cast<int>(at[1])};
+  return doppler;
+}
 
 json jsonOfRegion(const RegionCalibration& region) {
-  return {{"kind", wordIn(kRegionWords, region.kind)},
-          {"rect_px", {region.rect.x, region.rect.y, region.rect.width, region.rect.height}},
-          {"delta", {region.delta.x, region.delta.y}},
-          {"reference_px", {region.reference_px.x, region.reference_px.y}},
-          {"reference_value", {region.referenceValue.x, region.referenceValue.y}}};
+  json written = {{"kind", wordIn(kRegionWords, region.kind)},
+                  {"rect_px", {region.rect.x, region.rect.y, region.rect.width, region.rect.height}},
+                  {"delta", {region.delta.x, region.delta.y}},
+                  {"reference_px", {region.reference_px.x, region.reference_px.y}},
+                  {"reference_value", {region.referenceValue.x, region.referenceValue.y}}};
+  if (region.doppler) written["doppler"] = jsonOfDoppler(*region.doppler);
+  return written;
 }
 
 RegionCalibration regionIn(const JsonFields& fields) {
@@ -38,6 +60,7 @@ RegionCalibration regionIn(const JsonFields& fields) {
   region.delta = {delta[0], delta[1]};
   region.reference_px = {static_cast<int>(reference[0]), static_cast<int>(reference[1])};
   region.referenceValue = {value[0], value[1]};
+  if (fields.has("doppler")) region.doppler = dopplerIn(fields.object("doppler"));
   return region;
 }
 

@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ostream>
+#include <variant>
 
 #include "commands/contact_sheet.h"
 #include "ew/core/ending.h"
 #include "ew/core/numbers.h"
+#include "ew/export/dicom_image.h"
+#include "ew/imaging/doppler_sound.h"
 #include "ew/imaging/latency.h"
 #include "ew/imaging/settings_json.h"
+#include "ew/io/sound_file.h"
 #include "ew/library/case_start.h"
 #include "ew/scanning/display_image_file.h"
 #include "ew/scanning/first_image.h"
@@ -29,6 +34,8 @@ struct ScanArguments {
   std::vector<std::string> offSkin;
   std::string output;
   std::string contactSheet;
+  std::string sound;
+  std::optional<double> seconds;
   glm::ivec2 size_px{640, 480};
   int repeat = 0;
   int threads = 1;
@@ -61,6 +68,7 @@ Result<Probe> findProbe(const std::string& wanted, const std::vector<std::string
 
 /// Frames made only to be timed: the first frame of a program meets cold memory and says little.
 constexpr int kWarmFrames = 15;
+constexpr int kSound_hz = 48000;
 
 /// What is to be scanned, as far as it is known before voxels are read (which may take long).
 struct Wanted {
@@ -172,13 +180,27 @@ class ScanTimer {
       latency.add(took_us);
     }
     for (const auto& time : scanner.lastTimes()) run_.report.addStep(nameOf(time.kind), time.measured_us);
+    if (listens_) hear();
     return image;
   }
+  /// From now on what the sample volume gives is kept as sound.
+  void listen() {
+    const Knobs& knobs = state_.knobs;
+    const SpectralGate gate = spectralGateOf(state_.probe, knobs);
+    listens_.emplace();
+    listens_->configure(gate.prf_hz, knobs.spectral->baseline, kSound_hz);
+  }
+  [[nodiscard]] const std::vector<glm::vec2>& sound() const { return sound_; }
 
   Scanner scanner;
   LatencyHistogram latency;
 
  private:
+  void hear() {
+    const auto due = listens_->add(scanner.dopplerSamples());
+    sound_.insert(sound_.end(), due.begin(), due.end());
+  }
+
   /// Of body and blood. Of several times each image has its own, again from the first when there are no more; the beams of a strip stay
   /// 1 / rate apart. The body is at rest unless times or phases are asked for.
   void setTime() {
@@ -199,8 +221,19 @@ class ScanTimer {
   std::vector<double> times_s_;
   std::optional<double> breath_, pulse_;
   std::shared_ptr<const TissueMotion> motion_;
+  std::optional<DopplerSound> listens_;
+  std::vector<glm::vec2> sound_;
   Run& run_;
 };
+
+/// Brought to nine tenths of full at its loudest.
+std::vector<glm::vec2> asLoudAsFits(std::vector<glm::vec2> sound) {
+  float loudest = 0.0F;
+  for (const glm::vec2& both : sound) loudest = std::max({loudest, std::abs(both.x), std::abs(both.y)});
+  if (loudest > 0.0F)
+    for (glm::vec2& both : sound) both *= 0.9F / loudest;
+  return sound;
+}
 
 bool isLit(ImageView<const std::uint8_t> frame) {
   for (int y = 0; y < frame.height; ++y)
@@ -283,7 +316,9 @@ struct ScanPlan {
   std::vector<float> gaps_mm;
 
   [[nodiscard]] bool isStrip() const { return knobs.mode == DisplayMode::mMode; }
-  [[nodiscard]] std::size_t outputs() const { return isStrip() ? 1 : poses.size(); }
+  [[nodiscard]] bool isSpectrum() const { return knobs.mode == DisplayMode::spectrum; }
+  /// Of a strip one for all poses, of a spectrum below the last image.
+  [[nodiscard]] std::size_t outputs() const { return isStrip() || isSpectrum() ? 1 : poses.size(); }
 };
 
 /// Probe and settings as the window begins the case with them. Poses of a file are images of their own: nothing of one shows in the next.
@@ -321,6 +356,14 @@ Result<ScanPlan> readScanPlan(const ScanArguments& arguments, Run& run) {
   if (auto fits = checkDepth(plan.knobs, plan.probe); !fits) return passOn(fits.error());
   auto poses = posesFor(arguments, *wanted, run);
   if (!poses) return passOn(poses.error());
+  if (arguments.seconds) {
+    if (poses->size() != 1 || arguments.times_s.size() > 1)
+      return failure(ErrorCode::badUsage, say<"--seconds looks at one pose for a while; give one pose and at most one time.">());
+    poses->resize(1 + static_cast<std::size_t>(std::floor(*arguments.seconds * arguments.rate_hz)), poses->front());
+  }
+  if (plan.knobs.mode == DisplayMode::spectrum && !plan.knobs.spectral) plan.knobs.spectral.emplace();
+  if (!arguments.sound.empty() && plan.knobs.mode != DisplayMode::spectrum)
+    return failure(ErrorCode::badUsage, say<"Only a spectrum can be heard; give --knobs with \"mode\": \"spectrum\" to --sound.">());
   if (arguments.times_s.size() > 1 && poses->size() == 1) poses->resize(arguments.times_s.size(), poses->front());
   if (arguments.times_s.size() > 1 && poses->size() != arguments.times_s.size())
     return failure(ErrorCode::badUsage, say<"There are %1 times and %2 poses; give one time, one pose, or as many of one as of the other.">(
@@ -355,6 +398,15 @@ nlohmann::json scanOptions(const ScanArguments& arguments, const ScanPlan& plan,
           {"mapped", subject.voxels.volume() == nullptr}};
 }
 
+/// The last image, and below it the spectrum.
+Result<void> writeWithSpectrum(Run& run, const std::filesystem::path& file, const DisplayImage& image, const ScanPlan& plan,
+                               const Scanner& scanner) {
+  const Still still = stillOf(image, scanner.strip(), scanner.geometry(), plan.probe, plan.knobs);
+  if (const auto* grey = std::get_if<GreyImage>(&still.pixels)) return write(run, file, {viewOf(*grey)}, scanner.geometry().pixel_mm);
+  const StepClock clock(run.report, "write");
+  return writeDisplayImage(std::get<RgbImage>(still.pixels), scanner.geometry().pixel_mm, run.outputs.staged(file));
+}
+
 /// Every pose, as often as it is to be measured; images and strip are written when they are asked for.
 /// @return how many of the images are not black
 Result<std::size_t> scanPoses(const ScanArguments& arguments, const ScanPlan& plan, const ScanVoxels& voxels, ScanTimer& timed, Run& run) {
@@ -375,7 +427,10 @@ Result<std::size_t> scanPoses(const ScanArguments& arguments, const ScanPlan& pl
         else
           run.remark(say<"The image of pose %1 is black; the probe looks past the volume or the gain is 0.">(n + 1));
       }
-      if (writes && !plan.isStrip())
+      if (writes && plan.isSpectrum() && round == 0 && n + 1 == plan.poses.size())
+        if (auto written = writeWithSpectrum(run, numbered(arguments.output, 0, 1), frame, plan, timed.scanner); !written)
+          return passOn(written.error());
+      if (writes && !plan.isStrip() && !plan.isSpectrum())
         if (auto written = write(run, numbered(arguments.output, n, plan.outputs()), frame, pixel_mm); !written)
           return passOn(written.error());
       run.progress.report(say<"Scanning">(), kShareOfReading + (1.0 - kShareOfReading) * ++done / total);
@@ -408,6 +463,8 @@ void tellWhatDoesNotShow(const ScanArguments& arguments, const Knobs& knobs, con
     run.remark(subject.motion ? say<"The body stands still, because the scene has no live echoes or no motion; give one with --scene.">()
                : showsTime    ? say<"This case does not move; --breath and --pulse change nothing.">()
                               : say<"This case does not move; --time, --breath and --pulse change nothing.">());
+  if (knobs.mode == DisplayMode::spectrum && !subject.showsColour())
+    run.remark(say<"This case does not say how blood flows, so there is no spectrum; a virtual patient whose recipe has flow shows it.">());
   if (knobs.colour && !subject.showsColour())
     run.remark(
         say<"This case does not say how blood flows, so the image has no colour; a virtual patient whose recipe has flow shows it.">());
@@ -422,6 +479,8 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
     for (std::size_t n = 0; n < plan->outputs(); ++n)
       if (auto announced = run.output(numbered(arguments.output, n, plan->outputs()), ".png .mha"); !announced)
         return passOn(announced.error());
+  if (!arguments.sound.empty())
+    if (auto announced = run.output(arguments.sound, ".wav"); !announced) return passOn(announced.error());
   auto subject = readSubject(arguments, plan->wanted, {plan->probe, plan->knobs, plan->poses}, run);
   if (!subject) return passOn(subject.error());
   if (!arguments.contactSheet.empty()) return makeContactSheet(arguments, *subject, plan->probe, plan->poses, run);
@@ -434,16 +493,22 @@ Result<int> scan(const ScanArguments& arguments, Run& run) {
                   {.probe = plan->probe, .knobs = plan->knobs, .pan = {}, .scene = scene, .pose = {}, .gaps_mm = plan->gaps_mm}, run);
   run.report.options["pixel_mm"] = timed.scanner.geometry().pixel_mm;
   run.report.options["depth_mm"] = timed.scanner.geometry().depth_mm;
+  const bool hears = !arguments.sound.empty() && timed.scanner.spectrogram() != nullptr;
+  if (hears) timed.listen();
   const auto litImages = scanPoses(arguments, *plan, voxels, timed, run);
   if (!litImages) return passOn(litImages.error());
   if (arguments.plan && arguments.repeat == 0)
     for (int n = 0; n < kWarmFrames; ++n) timed.make(plan->poses.front(), false);
+  if (hears)
+    if (auto written = writeSound(asLoudAsFits(timed.sound()), kSound_hz, run.outputs.staged(arguments.sound)); !written)
+      return passOn(written.error());
   reportScan(timed, *litImages, run.report);
   run.progress.clear();
   if (arguments.plan) printPlan(run.out(), timed.scanner, run.report);
   if (writes)
-    run.say(plan->isStrip() ? "Wrote the strip of " + counted(plan->poses.size(), "beam") + ", probe " + plan->probe.name + "."
-                            : "Wrote " + counted(plan->poses.size(), "scan") + ", probe " + plan->probe.name + ".");
+    run.say(plan->isSpectrum() ? "Wrote the spectrum of " + counted(plan->poses.size(), "image") + ", probe " + plan->probe.name + "."
+            : plan->isStrip()  ? "Wrote the strip of " + counted(plan->poses.size(), "beam") + ", probe " + plan->probe.name + "."
+                               : "Wrote " + counted(plan->poses.size(), "scan") + ", probe " + plan->probe.name + ".");
   if (arguments.repeat > 0) run.say("Median " + rounded(run.report.median_us("frame"), 0) + " us a frame.");
   return kDone;
 }
@@ -467,7 +532,7 @@ void addScan(CLI::App& root, Selection& selection) {
              "Without \"gain_law\" the one acts whose values are given: gain_db and tgc_db in decibels along the beams, or gain and dgc,\n"
              "factors on grey levels by rows (Eq. 3-5).\n"
              "With \"colour\": true, or an object of its settings, a box of colour Doppler lies over the image of a case that says how\n"
-             "blood flows, such as neck-carotid-thyroid.\n"
+             "blood flows, such as neck-carotid-thyroid; with \"mode\": \"spectrum\" the spectrum of a sample volume below it.\n"
              "With \"mode\": \"m\" the output is the strip of one beam over the poses, which are 1/30 s apart (--rate).\n"
              "SCENE.json is one object; an effect that is missing does not run:\n"
              "  { \"focus\": true, \"attenuation\": { \"expected_db_per_cm_mhz\": 0.5 } }\n" +
@@ -511,7 +576,11 @@ void addScan(CLI::App& root, Selection& selection) {
                  "A part of the face off the skin, from -1 (its -x end) to 1; may be given several times. Acts when the scene has contact")
       ->allow_extra_args(false)
       ->type_name("FROM:TO");
-  addNumber(app, "--rate", arguments->rate_hz, {0.1, 1000.0}, "Poses a second, for M-mode (30)");
+  addNumber(app, "--rate", arguments->rate_hz, {0.1, 1000.0}, "Poses a second, for M-mode and spectra (30)");
+  addNumber(app, "--seconds", arguments->seconds, {0.0, 600.0}, "How long one pose is looked at, for M-mode and spectra (one image)");
+  app.add_option("--sound", arguments->sound,
+                 "What the sample volume of a spectrum lets hear, as stereo: towards the probe left, away right")
+      ->type_name("OUT.wav");
   addCount(app, "--threads", arguments->threads, 0, 256, "Threads of one frame; 0: all cores; the image does not depend on it (1)");
   addCount(app, "--repeat", arguments->repeat, 1, 1000000, "Run the whole list N times and write nothing but the report");
 }

@@ -34,10 +34,20 @@ ExaminationFiles::StillRecord storedStill(const std::vector<SnapshotPart>& parts
   Still still;
   still.pixels = stillPixelsOf(saved.image);
   for (const auto& [session, image, strip] : saved.places) {
-    if (!image.isEmpty()) still.regions.push_back(regionOf(session->geometry(), {image.x(), image.y()}));
-    if (!strip.isEmpty())
-      still.regions.push_back(regionOfStrip({strip.width(), strip.height()}, strip.width() * session->seen().mMode().columnTime_s(),
-                                            session->geometry().depth_mm, {strip.x(), strip.y()}));
+    const glm::ivec2 image_px(image.x(), image.y()), strip_px(strip.x(), strip.y()), stripSize_px(strip.width(), strip.height());
+    const Knobs& knobs = session->imageKnobs();
+    if (!image.isEmpty()) {
+      still.regions.push_back(regionOf(session->geometry(), image_px));
+      if (session->image().hasColour())
+        if (auto box = regionOfColour(session->imageProbe(), knobs, session->geometry(), image_px)) still.regions.push_back(*box);
+    }
+    if (strip.isEmpty()) continue;
+    const double sweep_s = strip.width() * session->seen().mMode().columnTime_s();
+    if (knobs.mode == DisplayMode::spectrum && knobs.spectral)
+      still.regions.push_back(
+          regionOfSpectrum(session->imageProbe(), knobs, session->geometry(), stripSize_px, sweep_s, strip_px, image_px));
+    else
+      still.regions.push_back(regionOfStrip(stripSize_px, sweep_s, session->geometry().depth_mm, strip_px));
   }
   const auto inHand = std::find_if(parts.begin(), parts.end(), [](const SnapshotPart& part) { return part.isInHand; });
   EW_EXPECTS(inHand != parts.end());

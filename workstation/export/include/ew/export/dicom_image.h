@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,14 +24,24 @@ namespace ew {
 /// A part of an image in which pixels have a size: one item of the Sequence of Ultrasound Regions (DICOM PS3.3, C.8.5.5).
 struct RegionCalibration {
   enum class Kind {
-    image,  ///< both axes in cm: x to the right of the image, y down it
-    strip   ///< M-mode: x in s, y in cm
+    image,    ///< both axes in cm: x to the right of the image, y down it
+    strip,    ///< M-mode: x in s, y in cm
+    colour,   ///< the box of colour Doppler, axes as of the image around it
+    spectrum  ///< of a sample volume: x in s, y in cm/s, corrected by the angle, towards the probe positive
+  };
+  /// How Doppler was set.
+  struct Doppler {
+    double prf_hz = 0.0, carrier_hz = 0.0, steering_deg = 0.0;
+    double angle_deg = 0.0;               ///< of the correction; of a spectrum
+    std::optional<glm::ivec2> volume_px;  ///< where the sample volume lies in the image of the same picture
+    bool operator==(const Doppler&) const = default;
   };
   Kind kind = Kind::image;
   PixelRect rect;
   glm::dvec2 delta{0.0};           ///< from one pixel to the next, in the units of the axes
   glm::ivec2 reference_px{0};      ///< counted from the region's corner; may lie outside of it
   glm::dvec2 referenceValue{0.0};  ///< what the axes are at the centre of that pixel; of an image, 0 at the middle of the probe's face
+  std::optional<Doppler> doppler = std::nullopt;  ///< of colour and spectrum
   bool operator==(const RegionCalibration&) const = default;
 };
 
@@ -38,6 +49,14 @@ struct RegionCalibration {
 [[nodiscard]] RegionCalibration regionOf(const DisplayGeometry& geometry, glm::ivec2 corner_px = glm::ivec2(0));
 /// Of the strip of the M-mode. @param sweep_s across it @param depth_mm from its upper to its lower edge, from the probe's face
 [[nodiscard]] RegionCalibration regionOfStrip(glm::ivec2 size_px, double sweep_s, double depth_mm, glm::ivec2 corner_px = glm::ivec2(0));
+
+/// Of the colour box in the image that stands at `corner_px`: the smallest rectangle around it; none where the knobs have no box, or none
+/// of it lies in the image. It comes behind the image's own: readers that take one region in cm take the first.
+[[nodiscard]] std::optional<RegionCalibration> regionOfColour(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry,
+                                                              glm::ivec2 corner_px = glm::ivec2(0));
+/// Of the spectrum. @param knobs with spectral @param image_px where the image of the same picture stands
+[[nodiscard]] RegionCalibration regionOfSpectrum(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry,
+                                                 glm::ivec2 size_px, double sweep_s, glm::ivec2 corner_px, glm::ivec2 image_px);
 
 /// What a person sees of a scan at one moment, as it is to be stored: grey, or colours.
 struct Still {
@@ -48,10 +67,10 @@ struct Still {
   [[nodiscard]] glm::ivec2 size_px() const;
 };
 
-/// The image, the strip of the M-mode, or one above the other, as `knobs.mode` says. Without a strip the image alone.
-/// @param strip of the M-mode, as wide and high as the image; width 0: there is none
+/// The image, the strip of the M-mode or the spectrum, or one above the other, as `knobs.mode` says. Without a strip the image alone.
+/// @param strip as wide and high as the image; width 0: there is none
 [[nodiscard]] Still stillOf(const DisplayImage& image, ImageView<const std::uint8_t> strip, const DisplayGeometry& geometry,
-                            const Knobs& knobs);
+                            const Probe& probe, const Knobs& knobs);
 
 /// What a stored image says of how it was made.
 struct DicomImageOptions {

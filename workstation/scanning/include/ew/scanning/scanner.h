@@ -56,10 +56,13 @@ class Scanner {
   [[nodiscard]] const Plan& plan() const { return maker_.plan(); }
   [[nodiscard]] const Spans& spans() const { return maker_.spans(); }
   [[nodiscard]] const std::vector<StepTime>& lastTimes() const { return maker_.lastTimes(); }
-  /// The M-mode strip, as wide and high as the image; width 0 when the mode has none.
+  /// The strip of the M-mode or the spectrum, as wide and high as the image; width 0 when the mode has none.
   [[nodiscard]] ImageView<const std::uint8_t> strip() const { return maker_.strip(); }
   [[nodiscard]] int stripCursor() const { return maker_.stripCursor(); }
   [[nodiscard]] const MModeStrip& mMode() const { return maker_.mMode(); }
+  /// @see FrameMaker
+  [[nodiscard]] const Spectrogram* spectrogram() const { return maker_.spectrogram(); }
+  [[nodiscard]] std::span<const std::complex<float>> dopplerSamples() const { return maker_.dopplerSamples(); }
 
  private:
   FrameMaker maker_;
