@@ -16,6 +16,7 @@ constexpr Ramp kTowards{{{60, 0, 0}, {150, 10, 0}, {220, 50, 0}, {255, 140, 30},
 constexpr Ramp kAway{{{0, 10, 70}, {0, 40, 170}, {20, 90, 235}, {70, 170, 255}, {170, 240, 255}}};
 constexpr Ramp kPower{{{70, 20, 0}, {150, 60, 0}, {220, 110, 10}, {250, 170, 60}, {255, 235, 160}}};
 constexpr glm::vec3 kTurbulent{60, 230, 70};
+constexpr double kCalmSpread = 0.18, kWildSpread = 0.5;  // of the Nyquist velocity; white noise has 0.45 by this estimator
 
 glm::vec3 at(const Ramp& ramp, double share) {
   const double place = std::clamp(share, 0.0, 1.0) * (ramp.size() - 1);
@@ -32,7 +33,8 @@ Rgb colourOf(const ColourDoppler& colour, double value, double spread) {
   const bool isTowards = (value >= 0.0) != colour.invert;
   // Zero lies where the baseline was moved to, and each side has its whole ramp.
   glm::vec3 hue = at(isTowards ? kTowards : kAway, std::abs(value));
-  if (colour.shows == ColourShows::variance) hue = glm::mix(hue, kTurbulent, static_cast<float>(std::clamp(2.0 * spread, 0.0, 0.85)));
+  if (colour.shows == ColourShows::variance)
+    hue = glm::mix(hue, kTurbulent, static_cast<float>(std::clamp((spread - kCalmSpread) / (kWildSpread - kCalmSpread), 0.0, 0.85)));
   return rounded(hue);
 }
 
