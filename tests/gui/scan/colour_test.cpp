@@ -1,5 +1,6 @@
 // Colour Doppler in the window: its page of the console, the box that is dragged in the image, and the bar beside it.
 #include <QCheckBox>
+#include <QDateTime>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -11,6 +12,7 @@
 
 #include "ew/imaging/flow_sampler.h"
 #include "ew/ui_test_door/colour.h"
+#include "ew/ui_test_door/images.h"
 #include "ew/ui_test_door/measure.h"
 #include "gui/support/console_fixture.h"
 #include "gui/support/screenshots.h"
@@ -333,6 +335,26 @@ class ColourTest : public ConsoleFixture {
     press("colour");
     session().makeImageNow();
     QVERIFY(scan().colourBarRect().isNull());
+  }
+
+  void aSavedImageHasTheBar() {
+    showFlowingBlood();
+    session().console().chooseProbe("convex-3.5");
+    session().makeImageNow();
+    const auto colouredPixels = [this] {
+      const QImage saved = savedImage(session(), QDateTime::currentDateTime(), {}, {});
+      int count = 0;
+      for (int y = 0; y < saved.height(); ++y)
+        for (int x = 0; x < saved.width(); ++x) {
+          const QRgb pixel = saved.pixel(x, y);
+          count += std::abs(qRed(pixel) - qBlue(pixel)) > 40 ? 1 : 0;
+        }
+      return count;
+    };
+    QCOMPARE(colouredPixels(), 0);
+    switchOn();
+    const int count = colouredPixels();
+    QVERIFY2(count > 500, qPrintable(QString::number(count)));
   }
 
   void aChangeOfColourIsOneOfThePreset() {
