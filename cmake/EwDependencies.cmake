@@ -33,7 +33,7 @@ foreach(part gdcmMSFF gdcmDSED gdcmCommon)
 endforeach()
 # Of OpenCV the parts that are needed, by name: its package file asks for all of them.
 find_path(EW_OPENCV_INCLUDE opencv2/videoio.hpp PATH_SUFFIXES opencv4 REQUIRED)
-foreach(part videoio imgproc calib3d aruco)
+foreach(part videoio imgproc imgcodecs calib3d aruco)
   add_library(ew_opencv_${part} INTERFACE)
   add_library(ew::opencv_${part} ALIAS ew_opencv_${part})
   target_include_directories(ew_opencv_${part} SYSTEM INTERFACE ${EW_OPENCV_INCLUDE})

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
@@ -89,6 +91,7 @@ class RecordedCarotid : public ::testing::Test {
     return found;
   }
 
+  const std::filesystem::path folder_ = test::recording("carotid-doppler-iq");
   std::vector<std::vector<std::complex<float>>> packets_;
   cv::Mat picture_;
 };
