@@ -83,6 +83,58 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>B-mode and spectrum</source>
+        <translation>B-Mode und Spektrum</translation>
+    </message>
+    <message>
+        <source>share of the face</source>
+        <translation>Anteil der Schallkopffläche</translation>
+    </message>
+    <message>
+        <source>0 for half of the depth</source>
+        <translation>0 für die halbe Tiefe</translation>
+    </message>
+    <message>
+        <source>0 for two fifths of the depth</source>
+        <translation>0 für zwei Fünftel der Tiefe</translation>
+    </message>
+    <message>
+        <source>two thirds of the image&apos;s</source>
+        <translation>zwei Drittel der Frequenz des Bildes</translation>
+    </message>
+    <message>
+        <source>pulses a second</source>
+        <translation>Pulse in der Sekunde</translation>
+    </message>
+    <message>
+        <source>of the range; 0 is neutral</source>
+        <translation>des Bereichs; 0 ist neutral</translation>
+    </message>
+    <message>
+        <source>of white: brighter echoes stay grey</source>
+        <translation>von Weiß: hellere Echos bleiben grau</translation>
+    </message>
+    <message>
+        <source>of the Nyquist velocity: slower blood has no colour</source>
+        <translation>der Nyquist-Geschwindigkeit: langsameres Blut hat keine Farbe</translation>
+    </message>
+    <message>
+        <source>along the line</source>
+        <translation>entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Doppler shifts below are taken out</source>
+        <translation>kleinere Doppler-Verschiebungen fallen heraus</translation>
+    </message>
+    <message>
+        <source>from black to white</source>
+        <translation>von Schwarz bis Weiß</translation>
+    </message>
+    <message>
+        <source>%1 would have more than 4 GiB of sound, which a WAV cannot hold; give a shorter time.</source>
+        <translation>%1 hätte mehr als 4 GiB Ton, was eine WAV-Datei nicht fasst; geben Sie eine kürzere Zeit an.</translation>
+    </message>
+    <message>
         <source>the recorded images that the volume was made of (.igs.mha, orientation MF, each with one ImageToReferenceTransform into the volume&apos;s own frame) inside the case folder, as a relative path; beside a file alone. Slices read them instead of voxels, and are as sharp as they</source>
         <translation>die aufgenommenen Bilder, aus denen das Volumen gemacht wurde (.igs.mha, Orientierung MF, jedes mit einer ImageToReferenceTransform in das eigene Koordinatensystem des Volumens), im Ordner des Falls, als relativer Pfad; nur neben einer Datei. Schnitte lesen sie statt der Voxel und sind so scharf wie sie</translation>
     </message>
@@ -12967,6 +13019,14 @@
 </context>
 <context>
     <name>ew::StepKind</name>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
     <message>
         <source>live echoes</source>
         <translation>lebendige Echos</translation>

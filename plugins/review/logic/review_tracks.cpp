@@ -43,6 +43,8 @@ Message modeOf(DisplayMode mode) {
       return say<"M-mode">();
     case DisplayMode::both:
       return say<"B and M-mode">();
+    case DisplayMode::spectrum:
+      return say<"B-mode and spectrum">();
     case DisplayMode::bMode:
       break;
   }

@@ -579,7 +579,7 @@ class ReviewTest final : public WindowFixture {
     keep("review-16-empty");
   }
 
-  void aShippedCasesExpertIsSeenBeforeAnybodyTried() {
+  void aShippedCasesExpertIsFrameBeforeAnybodyTried() {
     beginAnew();
     const auto shipped = shippedCasesFolder();
     QVERIFY(shipped);

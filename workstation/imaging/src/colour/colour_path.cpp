@@ -151,24 +151,24 @@ void ColourPath::findMotion() {
     for (int row = 0; row < rows_; ++row) {
       const BeamGrid::Line& way = grid_.lines[line];
       const glm::dvec3 now_mm(way.origin_mm + static_cast<double>(row) * box_.bottom_mm / (rows_ - 1) * way.direction, 0.0);
-      const SeenMotion::At seen = motion_.at(now_mm, back);
+      const RelativeMotion::At seen = motion_.at(now_mm, back);
       back = seen.back_mm;
       nodes_[static_cast<std::size_t>(row * columns_ + column)] = seen;
     }
   }
 }
 
-SeenMotion::At ColourPath::motionAt(int line, double depth_mm) const {
+RelativeMotion::At ColourPath::motionAt(int line, double depth_mm) const {
   if (!motion_.moves()) return {};
   const double across = static_cast<double>(line - region_.firstLine) / (region_.lastLine - region_.firstLine) * (columns_ - 1);
   const double down = depth_mm / box_.bottom_mm * (rows_ - 1);
   const int column = std::clamp(static_cast<int>(across), 0, columns_ - 2), row = std::clamp(static_cast<int>(down), 0, rows_ - 2);
   const auto tx = static_cast<float>(across - column), ty = static_cast<float>(down - row);
-  const SeenMotion::At* at = nodes_.data() + static_cast<std::ptrdiff_t>(row) * columns_ + column;
-  const auto between = [&](glm::vec3 SeenMotion::At::*what) {
+  const RelativeMotion::At* at = nodes_.data() + static_cast<std::ptrdiff_t>(row) * columns_ + column;
+  const auto between = [&](glm::vec3 RelativeMotion::At::*what) {
     return glm::mix(glm::mix(at[0].*what, at[1].*what, tx), glm::mix(at[columns_].*what, at[columns_ + 1].*what, tx), ty);
   };
-  return {between(&SeenMotion::At::back_mm), between(&SeenMotion::At::velocity_mmPerS)};
+  return {between(&RelativeMotion::At::back_mm), between(&RelativeMotion::At::velocity_mmPerS)};
 }
 
 void ColourPath::findLosses(const FrameInput& input, Bands& bands) {
@@ -220,7 +220,7 @@ GateEchoes ColourPath::echoesAt(const FrameInput& input, const glm::dmat4& probe
   const BeamGrid::Line& way = grid_.lines[static_cast<std::size_t>(line)];
   const Cell& cell = cells_[static_cast<std::size_t>(gate)];
   const double depth_mm = grid_.depth_mm(gate);
-  const SeenMotion::At motion = motionAt(line, depth_mm);
+  const RelativeMotion::At motion = motionAt(line, depth_mm);
   const glm::dvec3 along(way.direction, 0.0), across(way.direction.y, -way.direction.x, 0.0);
   const glm::dvec3 middle_mm(way.origin_mm + depth_mm * way.direction, 0.0);
   const auto sigma = [](double amplitude_mm) { return amplitude_mm / kOutOfTwo; };
@@ -373,7 +373,7 @@ void ColourPath::average(ColourMemory& memory, Bands& bands) {
   pass(averaged_, memory.sums, false, keeps);
 }
 
-void ColourPath::form(const FrameInput& input, const EchoMotion* motion, const SeenBefore& before, ColourMemory& memory, Bands& bands) {
+void ColourPath::form(const FrameInput& input, const EchoMotion* motion, const FrameBefore& before, ColourMemory& memory, Bands& bands) {
   EW_EXPECTS(input.flow != nullptr && input.tissue != nullptr);
   scratch_.resize(static_cast<std::size_t>(bands.threads()));
   const Transform<frame::World, frame::World> ownToWorld = input.tissueGrid.voxelToWorld() * input.tissue->grid.worldToVoxel();

@@ -16,7 +16,7 @@
 #include "ew/imaging/flow_sampler.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/scan_conversion.h"
-#include "flow/seen_motion.h"
+#include "flow/relative_motion.h"
 #include "plan/change_detector.h"
 
 namespace ew::detail {
@@ -44,7 +44,7 @@ class ColourPath {
   /// Sums of every gate.
   /// @param motion of the image's echoes; null: nothing moves
   /// @param before the frame before
-  void form(const FrameInput& input, const EchoMotion* motion, const SeenBefore& before, ColourMemory& memory, Bands& bands);
+  void form(const FrameInput& input, const EchoMotion* motion, const FrameBefore& before, ColourMemory& memory, Bands& bands);
   /// Their colours, over an image of that size.
   void draw(ImageView<const std::uint8_t> grey, const ColourMemory& memory, Bands& bands);
   [[nodiscard]] ImageView<const Rgba> image() const { return viewOf(image_); }
@@ -67,7 +67,7 @@ class ColourPath {
   }
   void layColours();
   void findMotion();
-  [[nodiscard]] SeenMotion::At motionAt(int line, double depth_mm) const;
+  [[nodiscard]] RelativeMotion::At motionAt(int line, double depth_mm) const;
   void findLosses(const FrameInput& input, Bands& bands);
   void findEchoes(const FrameInput& input, const glm::dmat4& probeToOwn, Bands& bands);
   [[nodiscard]] GateEchoes echoesAt(const FrameInput& input, const glm::dmat4& probeToOwn, const glm::dmat4& probeToLevel, int line,
@@ -104,8 +104,8 @@ class ColourPath {
   TissueLosses losses_;
 
   FlowMoment moment_;
-  SeenMotion motion_;
-  std::vector<SeenMotion::At> nodes_;  ///< by row of depths, by column of lines
+  RelativeMotion motion_;
+  std::vector<RelativeMotion::At> nodes_;  ///< by row of depths, by column of lines
   int columns_ = 0, rows_ = 0;
   std::vector<Scratch> scratch_;
   std::vector<float> touch_;  ///< by line

@@ -57,7 +57,7 @@ struct FrameMaker::Parts {
   MModeStrip strip_;
   PersistenceMemory persistence_;
   ColourMemory colourMemory_;
-  SeenBefore before_;
+  FrameBefore before_;
   detail::ColourPath colour_;
   bool hasColour_ = false;
   detail::SpectrumPath spectrum_;
@@ -311,7 +311,7 @@ ImageView<const std::uint8_t> FrameMaker::Parts::make(const FrameInput& input) {
   };
   // Of live echoes a frame is many steps, and each would wake the other threads anew.
   formsEchoes(scene_) ? bands_.together(runAll) : runAll();
-  if (hasColour_ || hasSpectrum_) before_ = detail::seenIn(input);
+  if (hasColour_ || hasSpectrum_) before_ = detail::frameBeforeOf(input);
   return viewOf(std::as_const(*image_));
 }
 

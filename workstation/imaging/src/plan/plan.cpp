@@ -97,6 +97,17 @@ Step compoundingOf(const std::vector<Step>& soFar, double samples, int angles) {
   return {StepKind::compound, (angles - 1) * once_us};
 }
 
+/// What blood adds: a sample volume, a colour box.
+void addDoppler(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry, const detail::FrameSize& size, Plan& plan) {
+  if (knobs.mode == DisplayMode::spectrum) plan.steps.push_back({StepKind::spectrum, kSpectrum_us});
+  if (knobs.colour) {
+    const ColourBox box = colourBoxOf(probe, knobs);
+    const double share = std::clamp(0.5 * (box.right - box.left) * (box.bottom_mm - box.top_mm) / geometry.depth_mm, 0.0, 1.0);
+    plan.steps.push_back(
+        {StepKind::colour, 1e-3 * share * (kColourPixel_ns * size.pixels + kColourGate_ns * box.lines * box.packet * 100.0)});
+  }
+}
+
 bool hasTable(const Knobs& knobs, const Scene& scene) {
   const bool gains = knobs.gain != 1.0 || std::any_of(knobs.dgc.begin(), knobs.dgc.end(), [](double factor) { return factor != 1.0; });
   return (gains && detail::hasPaperGain(knobs, scene)) || !detail::toneOf(knobs, scene).isNeutral();
@@ -300,13 +311,7 @@ Plan planOf(const Probe& probe, const Knobs& knobs, const Scene& scene, const Di
   if (knobs.edgeEnhancement > 0.0) add(StepKind::edges);
   if (knobs.persistence > 0.0) add(StepKind::persistence);
   if (hasTable(knobs, scene)) add(StepKind::table);
-  if (knobs.mode == DisplayMode::spectrum) plan.steps.push_back({StepKind::spectrum, kSpectrum_us});
-  if (knobs.colour) {
-    const ColourBox box = colourBoxOf(probe, knobs);
-    const double share = std::clamp(0.5 * (box.right - box.left) * (box.bottom_mm - box.top_mm) / geometry.depth_mm, 0.0, 1.0);
-    plan.steps.push_back(
-        {StepKind::colour, 1e-3 * share * (kColourPixel_ns * size.pixels + kColourGate_ns * box.lines * box.packet * 100.0)});
-  }
+  addDoppler(probe, knobs, geometry, size, plan);
   return plan;
 }
 

@@ -74,7 +74,7 @@ void SpectrumPath::recall(const SpectrumMemory& memory) {
   if (mine.width == theirs.width && mine.height == theirs.height) memory_ = memory;
 }
 
-SpectrumPath::Way SpectrumPath::wayTo(const FrameInput& input, double depth_mm, const SeenMotion::At& seen) {
+SpectrumPath::Way SpectrumPath::wayTo(const FrameInput& input, double depth_mm, const RelativeMotion::At& seen) {
   Way way;
   const glm::dvec3 along(gate_.direction, 0.0), across(gate_.direction.y, -gate_.direction.x, 0.0), face_mm(gate_.face_mm, 0.0);
   double left = 1.0;
@@ -121,7 +121,7 @@ void SpectrumPath::addVolume(std::size_t n, const FrameInput& input, const Trans
   SampleVolume& volume = memory_.volumes[n];
   volume.configure(sizes_[n], kVolumeSeed + n);
   const glm::dvec3 middle_mm = glm::dvec3(gate_.face_mm, 0.0) + depths_mm_[n] * along;
-  const SeenMotion::At seen = motion_.at(middle_mm);
+  const RelativeMotion::At seen = motion_.at(middle_mm);
   const Way way = wayTo(input, depths_mm_[n], seen);
   const glm::dvec3 rest_mm = middle_mm + glm::dvec3(seen.back_mm), tissue_mmPerS(seen.velocity_mmPerS);
   std::size_t prepared = samples_.size();
@@ -158,7 +158,7 @@ void SpectrumPath::addNoise() {
              std::span(samples_).subspan(k, 1));
 }
 
-void SpectrumPath::run(const FrameInput& input, const EchoMotion* motion, const SeenBefore& before) {
+void SpectrumPath::run(const FrameInput& input, const EchoMotion* motion, const FrameBefore& before) {
   EW_EXPECTS(input.flow != nullptr && input.tissue != nullptr);
   SpectrumMemory& m = memory_;
   samples_.clear();

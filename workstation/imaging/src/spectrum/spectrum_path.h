@@ -9,7 +9,7 @@
 #include "ew/imaging/flow_sampler.h"
 #include "ew/imaging/frame.h"
 #include "ew/imaging/spectrogram.h"
-#include "flow/seen_motion.h"
+#include "flow/relative_motion.h"
 #include "plan/change_detector.h"
 #include "spectrum/high_pass.h"
 #include "spectrum/sample_volume.h"
@@ -36,7 +36,7 @@ class SpectrumPath {
   /// @param knobs with spectral; the strip is as large as the image
   void configure(const Probe& probe, const Knobs& knobs, const Scene& scene, const DisplayGeometry& geometry);
   /// @param motion of the image's echoes; null: nothing moves @param before the frame before
-  void run(const FrameInput& input, const EchoMotion* motion, const SeenBefore& before);
+  void run(const FrameInput& input, const EchoMotion* motion, const FrameBefore& before);
   void clear();
 
   [[nodiscard]] const SpectrumMemory& memory() const { return memory_; }
@@ -51,7 +51,7 @@ class SpectrumPath {
   struct Way {
     double blood = 0.0, tissue = 0.0;
   };
-  [[nodiscard]] Way wayTo(const FrameInput& input, double depth_mm, const SeenMotion::At& seen);
+  [[nodiscard]] Way wayTo(const FrameInput& input, double depth_mm, const RelativeMotion::At& seen);
   void addVolume(std::size_t n, const FrameInput& input, const Transform<frame::Probe, frame::World>& ownToProbe, double first_s);
   void addNoise();
 
@@ -66,7 +66,7 @@ class SpectrumPath {
   TissueLosses losses_;
   double step_mm_ = 0.5;
   SpectrumMemory memory_;
-  SeenMotion motion_;
+  RelativeMotion motion_;
   FlowMoment moment_;
   GreyImage labels_;
   BeamImage lost_;

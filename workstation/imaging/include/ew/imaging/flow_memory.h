@@ -9,7 +9,7 @@
 namespace ew {
 
 /// Where probe and body stood in the frame before: what moved since is seen by every Doppler.
-struct SeenBefore {
+struct FrameBefore {
   bool isKnown = false;
   Pose pose;
   BodyState body;

@@ -121,7 +121,7 @@ struct FrameMemory {
   MModeStrip strip;
   ColourMemory colour;
   std::shared_ptr<const SpectrumMemory> spectrum = nullptr;  ///< null: none ran
-  SeenBefore before;
+  FrameBefore before;
 };
 
 /// Makes frames of one probe and one setting after another; owns the tables and scratch memory, so that a frame allocates nothing.

@@ -1,4 +1,4 @@
-#include "flow/seen_motion.h"
+#include "flow/relative_motion.h"
 
 #include <algorithm>
 
@@ -10,8 +10,8 @@ constexpr double kShortestAgo_s = 0.005;
 
 }  // namespace
 
-void SeenMotion::take(const FrameInput& input, const Scene& scene, const EchoMotion* motion, const SeenBefore& before,
-                      const Transform<frame::Probe, frame::World>& ownToProbe) {
+void RelativeMotion::take(const FrameInput& input, const Scene& scene, const EchoMotion* motion, const FrameBefore& before,
+                          const Transform<frame::Probe, frame::World>& ownToProbe) {
   const double ago_s = input.time_s - before.time_s;
   const bool knowsBefore = before.isKnown && ago_s > 0.0 && ago_s < kLongestAgo_s;
   motion_ = motion != nullptr && motion->moves() ? motion : nullptr;
@@ -28,7 +28,7 @@ void SeenMotion::take(const FrameInput& input, const Scene& scene, const EchoMot
   perS_ = static_cast<float>(1.0 / std::max(ago_s, kShortestAgo_s));
 }
 
-SeenMotion::At SeenMotion::at(const glm::dvec3& now_mm, const glm::vec3& guess) const {
+RelativeMotion::At RelativeMotion::at(const glm::dvec3& now_mm, const glm::vec3& guess) const {
   At found;
   if (!moves_) return found;
   if (motion_ != nullptr) found.back_mm = motion_->backAt(glm::vec3(now_mm), guess);

@@ -8,11 +8,11 @@
 namespace ew::detail {
 
 /// How fast what is seen moves past the probe: by the body itself and because the probe was moved, as the difference to the frame before.
-class SeenMotion {
+class RelativeMotion {
  public:
   /// @param motion of the image's echoes; null: tissue rests where its maps show it
   /// @param before where probe and body stood in the frame before
-  void take(const FrameInput& input, const Scene& scene, const EchoMotion* motion, const SeenBefore& before,
+  void take(const FrameInput& input, const Scene& scene, const EchoMotion* motion, const FrameBefore& before,
             const Transform<frame::Probe, frame::World>& ownToProbe);
   /// Whether at() is not the same everywhere: nothing.
   [[nodiscard]] bool moves() const { return moves_; }
@@ -32,6 +32,6 @@ class SeenMotion {
 };
 
 /// What the next frame has to know of this one.
-[[nodiscard]] inline SeenBefore seenIn(const FrameInput& input) { return {true, input.pose, input.body, input.time_s}; }
+[[nodiscard]] inline FrameBefore frameBeforeOf(const FrameInput& input) { return {true, input.pose, input.body, input.time_s}; }
 
 }  // namespace ew::detail
