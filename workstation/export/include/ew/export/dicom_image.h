@@ -32,8 +32,8 @@ struct RegionCalibration {
   /// How Doppler was set.
   struct Doppler {
     double prf_hz = 0.0, carrier_hz = 0.0, steering_deg = 0.0;
-    double angle_deg = 0.0;               ///< of the correction; of a spectrum
-    std::optional<glm::ivec2> volume_px;  ///< where the sample volume lies in the image of the same picture
+    double angle_deg = 0.0;                              ///< of the correction; of a spectrum
+    std::optional<glm::ivec2> volume_px = std::nullopt;  ///< where the sample volume lies in the image of the same picture
     bool operator==(const Doppler&) const = default;
   };
   Kind kind = Kind::image;
