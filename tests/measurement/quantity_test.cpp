@@ -28,6 +28,7 @@ TEST(Quantities, AreReadWithTheSignsOfTheirUnitsAndInTheLanguagesPoint) {
   EXPECT_EQ(text({82.04, 0.9, Unit::mm}), "82.04 ± 0.90 mm");
   EXPECT_EQ(text({2510.0, 40.0, Unit::mm2}), "25.10 ± 0.40 cm²");
   EXPECT_EQ(text({45.0, 0.0, Unit::degree}), "45.0°");
+  EXPECT_EQ(text({312.0, 0.0, Unit::cmPerS2}), "312 cm/s²");
   EXPECT_EQ(text({32.0 + 1.0 / 7.0, 0.0, Unit::weeks}), "32w1d");
   EXPECT_EQ(text({32.0, 5.2 / 7.0, Unit::weeks}), "32w0d ± 5 d");
   EXPECT_EQ(text({32.0, 0.01 / 7.0, Unit::weeks}), "32w0d ± 0.1 d");
@@ -35,11 +36,13 @@ TEST(Quantities, AreReadWithTheSignsOfTheirUnitsAndInTheLanguagesPoint) {
 }
 
 TEST(Units, HaveTheirSymbolsAndOtherSpellings) {
-  for (const Unit unit :
-       {Unit::one, Unit::percent, Unit::mm, Unit::cm2, Unit::ml, Unit::degree, Unit::perMinute, Unit::mmPerS, Unit::weeks})
+  for (const Unit unit : {Unit::one, Unit::percent, Unit::mm, Unit::cm2, Unit::ml, Unit::degree, Unit::perMinute, Unit::mmPerS,
+                          Unit::cmPerS, Unit::cmPerS2, Unit::mlPerMinute, Unit::mmHg, Unit::weeks})
     EXPECT_EQ(unitOf(symbolOf(unit)), unit) << symbolOf(unit);
   EXPECT_EQ(unitOf("cm3"), Unit::ml);
   EXPECT_EQ(unitOf("bpm"), Unit::perMinute);
+  EXPECT_EQ(unitOf("cm/s²"), Unit::cmPerS2);
+  EXPECT_FALSE(areComparable(Unit::cmPerS, Unit::cmPerS2));
   EXPECT_FALSE(unitOf("inch"));
 }
 

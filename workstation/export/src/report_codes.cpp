@@ -81,6 +81,12 @@ Code ucumOf(Unit unit) {
       return {"mm/s", "UCUM", "millimeter per second"};
     case Unit::cmPerS:
       return {"cm/s", "UCUM", "centimeter per second"};
+    case Unit::cmPerS2:
+      return {"cm/s2", "UCUM", "centimeter per square second"};
+    case Unit::mlPerMinute:
+      return {"ml/min", "UCUM", "milliliter per minute"};
+    case Unit::mmHg:
+      return {"mm[Hg]", "UCUM", "millimeter of mercury"};
     case Unit::weeks:
       return {"wk", "UCUM", "week"};
     case Unit::days:

@@ -12,7 +12,7 @@
 namespace ew::measurement {
 namespace {
 
-enum class Dimension { ratio, length, area, volume, mass, angle, time, rate, speed };
+enum class Dimension { ratio, length, area, volume, mass, angle, time, rate, speed, acceleration, flow, pressure };
 
 struct UnitInfo {
   Unit unit;
@@ -39,10 +39,13 @@ constexpr std::array kUnits{UnitInfo{Unit::one, "1", Dimension::ratio, 1.0, 3},
                             UnitInfo{Unit::perMinute, "/min", Dimension::rate, 1.0, 0},
                             UnitInfo{Unit::mmPerS, "mm/s", Dimension::speed, 1.0, 1},
                             UnitInfo{Unit::cmPerS, "cm/s", Dimension::speed, 10.0, 1},
+                            UnitInfo{Unit::cmPerS2, "cm/s2", Dimension::acceleration, 1.0, 0},
+                            UnitInfo{Unit::mlPerMinute, "ml/min", Dimension::flow, 1.0, 0},
+                            UnitInfo{Unit::mmHg, "mmHg", Dimension::pressure, 1.0, 1},
                             UnitInfo{Unit::weeks, "weeks", Dimension::time, 7.0 * kDay_s, 2},
                             UnitInfo{Unit::days, "days", Dimension::time, kDay_s, 1}};
 
-constexpr std::array<std::pair<std::string_view, Unit>, 12> kOtherSpellings{{{"", Unit::one},
+constexpr std::array<std::pair<std::string_view, Unit>, 13> kOtherSpellings{{{"", Unit::one},
                                                                              {"percent", Unit::percent},
                                                                              {"mm²", Unit::mm2},
                                                                              {"cm²", Unit::cm2},
@@ -50,6 +53,7 @@ constexpr std::array<std::pair<std::string_view, Unit>, 12> kOtherSpellings{{{""
                                                                              {"cm³", Unit::ml},
                                                                              {"°", Unit::degree},
                                                                              {"bpm", Unit::perMinute},
+                                                                             {"cm/s²", Unit::cmPerS2},
                                                                              {"w", Unit::weeks},
                                                                              {"wk", Unit::weeks},
                                                                              {"d", Unit::days},
@@ -141,7 +145,7 @@ Message quantityText(const Quantity& quantity) {
     return say<"%1 ± %2 d">(std::move(age), numeral(days < 0.95 ? fixedText(std::max(days, 0.1), 1) : fixedText(days, 0)));
   }
   std::string text = shown(quantity.unit == Unit::mm2 ? converted(quantity, Unit::cm2) : quantity);
-  if (text.ends_with("cm2")) text.replace(text.size() - 1, 1, "²");
+  if (text.ends_with("cm2") || text.ends_with("cm/s2")) text.replace(text.size() - 1, 1, "²");
   if (text.ends_with(" deg")) text.replace(text.size() - 4, 4, "°");
   return numeral(std::move(text));
 }

@@ -10,9 +10,30 @@
 namespace ew::measurement {
 
 /// The units that measurements, formulas and worksheets have.
-enum class Unit { one, percent, mm, cm, mm2, cm2, ml, g, kg, degree, s, ms, perMinute, mmPerS, cmPerS, weeks, days };
+enum class Unit {
+  one,
+  percent,
+  mm,
+  cm,
+  mm2,
+  cm2,
+  ml,
+  g,
+  kg,
+  degree,
+  s,
+  ms,
+  perMinute,
+  mmPerS,
+  cmPerS,
+  cmPerS2,
+  mlPerMinute,
+  mmHg,
+  weeks,
+  days
+};
 
-/// As files and commands write it: "mm", "cm2", "ml", "deg", "/min", "mm/s", "weeks", "%"; "1" of a plain ratio.
+/// As files and commands write it: "mm", "cm2", "ml", "deg", "/min", "mm/s", "cm/s2", "ml/min", "mmHg", "weeks", "%"; "1" of a plain ratio.
 [[nodiscard]] std::string_view symbolOf(Unit unit);
 /// Of a symbol, or of another spelling in use ("cm²", "cm3", "percent", "w", "d", "bpm"); empty when there is no such unit.
 [[nodiscard]] std::optional<Unit> unitOf(std::string_view symbol);
