@@ -7627,8 +7627,8 @@
         <translation>ein Buchstabe, dann Buchstaben, Ziffern und _</translation>
     </message>
     <message>
-        <source>a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, weeks or days</source>
-        <translation>eine Einheit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, weeks oder days</translation>
+        <source>a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, cm/s2, ml/min, mmHg, weeks or days</source>
+        <translation>eine Einheit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, cm/s2, ml/min, mmHg, weeks oder days</translation>
     </message>
     <message>
         <source>two rising numbers, the smallest and the largest value</source>

@@ -29,7 +29,7 @@ class PackageSchema : public ::testing::Test {
 };
 
 TEST_F(PackageSchema, AcceptsEveryShippedPackageAndRefusesWhatTheReaderRefuses) {
-  for (const char* id : {"abdomen", "bladder", "obstetric", "thyroid", "trauma", "vessel"}) {
+  for (const char* id : {"abdomen", "bladder", "fetal_doppler", "obstetric", "thyroid", "trauma", "vascular", "vessel"}) {
     const json whole = test::document(id);
     EXPECT_TRUE(accepts(whole)) << id;
     EXPECT_TRUE(reads(whole)) << id;

@@ -113,7 +113,7 @@ TEST(Packages, OfTheProgramAreAllReadAndComplete) {
       EXPECT_FALSE(formula.tests.empty());
     }
   }
-  EXPECT_EQ(ids, (std::vector<std::string>{"abdomen", "bladder", "obstetric", "thyroid", "trauma", "vessel"}));
+  EXPECT_EQ(ids, (std::vector<std::string>{"abdomen", "bladder", "fetal_doppler", "obstetric", "thyroid", "trauma", "vascular", "vessel"}));
 }
 
 /// One more in the last digit of the n-th number of an expression; empty when there is none.
@@ -133,7 +133,7 @@ std::string withOneNumberWrong(const std::string& expression, int n) {
 TEST(Packages, AreRefusedWithAnyCoefficientWrong) {
   int broken = 0;
   std::vector<std::string> unnoticed;
-  for (const char* id : {"obstetric", "abdomen", "vessel", "thyroid", "bladder"}) {
+  for (const char* id : {"obstetric", "abdomen", "vessel", "thyroid", "bladder", "vascular", "fetal_doppler"}) {
     const json whole = document(id);
     for (std::size_t f = 0; f < whole["formulas"].size(); ++f)
       for (int n = 0;; ++n) {
@@ -181,8 +181,8 @@ TEST(Packages, WithOneBadFieldAreRefusedInItsSentence) {
        "'items[0].label' in x.json is \"1A\"; it must be a letter, then letters, digits and _."},
       {R"({"path": "/items/1/label", "value": "A"})", "'items[1].label' in x.json is \"A\"; it must be a label that no other entry has."},
       {R"({"path": "/items/0/unit", "value": "inch"})",
-       "'items[0].unit' in x.json is \"inch\"; it must be a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, weeks "
-       "or days."},
+       "'items[0].unit' in x.json is \"inch\"; it must be a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, "
+       "cm/s2, ml/min, mmHg, weeks or days."},
       {R"({"path": "/items/0/valid", "value": [20, 1]})",
        "'items[0].valid' in x.json is [20,1]; it must be two rising numbers, the smallest and the largest value."},
       {R"({"path": "/items/1/unit", "value": "mm"})", "'items[1].unit' in x.json is \"mm\"; it must be left out of a choice."},

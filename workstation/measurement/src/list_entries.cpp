@@ -19,7 +19,10 @@ FigureKind figureKindOf(ItemMeasure measure) {
       return FigureKind::slope;
     case ItemMeasure::heartRate:
       return FigureKind::heartRate;
+    case ItemMeasure::duration:
+      return FigureKind::duration;
     case ItemMeasure::distance:
+    case ItemMeasure::velocity:
     case ItemMeasure::number:
     case ItemMeasure::choice:
       break;
@@ -30,7 +33,8 @@ FigureKind figureKindOf(ItemMeasure measure) {
 }  // namespace
 
 const CaliperFigure* figureFor(ItemMeasure measure, const Measured& measured) {
-  if (measure == ItemMeasure::choice || measured.figures.empty()) return nullptr;
+  // No caliper of an image or of its strip reads a spectrum.
+  if (measure == ItemMeasure::choice || measure == ItemMeasure::velocity || measured.figures.empty()) return nullptr;
   if (measure == ItemMeasure::number) return &measured.figures.front();
   return measured.figure(figureKindOf(measure));
 }

@@ -1,5 +1,6 @@
 #include "ew/measurement/package.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,14 @@ const Labelled* labelled(const std::vector<Labelled>& all, std::string_view labe
 }
 
 double at(const Expression& expression, double weeks) { return expression.evaluate(std::array{weeks}); }
+
+/// Between the rows of a table by straight lines.
+PackageChart::Row rowAt(const PackageChart& chart, double weeks) {
+  const auto next = std::find_if(chart.rows.begin() + 1, chart.rows.end() - 1, [&](const auto& row) { return row.weeks >= weeks; });
+  const PackageChart::Row &b = *next, &a = *(next - 1);
+  const double t = (weeks - a.weeks) / (b.weeks - a.weeks);
+  return {weeks, std::lerp(a.low, b.low, t), std::lerp(a.median, b.median, t), std::lerp(a.high, b.high, t)};
+}
 
 }  // namespace
 
@@ -41,6 +50,11 @@ double zOfPercentile(double percentile) {
 
 double zScore(const PackageChart& chart, double weeks, double value) {
   EW_EXPECTS(value > 0.0);
+  if (!chart.rows.empty()) {
+    const auto row = rowAt(chart, weeks);
+    const double oneSide = value < row.median ? row.median - row.low : row.high - row.median;
+    return (row.median - value) / oneSide * zOfPercentile(chart.lowPercentile);
+  }
   if (!chart.isLms) return (value / at(chart.median, weeks) - 1.0) / (0.01 * chart.spread_percent);
   const double L = at(chart.L, weeks), M = at(chart.M, weeks), S = at(chart.S, weeks);
   const double y = chart.ofLogarithm ? std::log(value) : value;
@@ -48,6 +62,10 @@ double zScore(const PackageChart& chart, double weeks, double value) {
 }
 
 double valueAt(const PackageChart& chart, double weeks, double z) {
+  if (!chart.rows.empty()) {
+    const auto row = rowAt(chart, weeks);
+    return row.median - (z < 0.0 ? row.median - row.low : row.high - row.median) * z / zOfPercentile(chart.lowPercentile);
+  }
   if (!chart.isLms) return at(chart.median, weeks) * (1.0 + 0.01 * chart.spread_percent * z);
   const double L = at(chart.L, weeks), M = at(chart.M, weeks), S = at(chart.S, weeks);
   const double y = L == 0.0 ? M * std::exp(S * z) : M * std::pow(1.0 + L * S * z, 1.0 / L);

@@ -17,7 +17,7 @@ constexpr double kFarthest = 1e9;
 constexpr std::size_t kMostEntries = 200;
 constexpr std::size_t kLongestText = 600;
 
-constexpr WordTable<ItemMeasure, 10> kMeasures{{{"distance", ItemMeasure::distance},
+constexpr WordTable<ItemMeasure, 12> kMeasures{{{"distance", ItemMeasure::distance},
                                                 {"circumference", ItemMeasure::circumference},
                                                 {"area", ItemMeasure::area},
                                                 {"volume", ItemMeasure::volume},
@@ -25,6 +25,8 @@ constexpr WordTable<ItemMeasure, 10> kMeasures{{{"distance", ItemMeasure::distan
                                                 {"ratio", ItemMeasure::ratio},
                                                 {"slope", ItemMeasure::slope},
                                                 {"heart_rate", ItemMeasure::heartRate},
+                                                {"duration", ItemMeasure::duration},
+                                                {"velocity", ItemMeasure::velocity},
                                                 {"number", ItemMeasure::number},
                                                 {"choice", ItemMeasure::choice}}};
 
@@ -42,7 +44,9 @@ std::string longText(const JsonFields& fields, std::string_view key, std::option
 
 Unit unitIn(const JsonFields& fields, std::string_view key) {
   const auto unit = unitOf(fields.text(key));
-  if (!unit) fields.refuse(key, say<"a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, weeks or days">());
+  if (!unit)
+    fields.refuse(key,
+                  say<"a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, cm/s2, ml/min, mmHg, weeks or days">());
   return unit.value_or(Unit::one);
 }
 
@@ -70,7 +74,7 @@ Expression expressionIn(const JsonFields& fields, std::string_view key, std::vec
 
 PackageItem itemIn(const JsonFields& fields) {
   PackageItem item;
-  fields.only({"label", "title", "measure", "unit", "convention", "plane", "sided", "valid", "choices"});
+  fields.only({"label", "title", "measure", "unit", "convention", "plane", "sided", "valid", "choices", "spectrum"});
   item.label = labelIn(fields, "label");
   item.title = wordsIn(fields, "title");
   item.measure = fields.word("measure", kMeasures);
@@ -79,7 +83,7 @@ PackageItem itemIn(const JsonFields& fields) {
   item.plane = wordsIn(fields, "plane");
   if (!fields.good()) return item;
   if (item.measure == ItemMeasure::choice) {
-    for (const char* other : {"unit", "valid"})
+    for (const char* other : {"unit", "valid", "spectrum"})
       if (fields.has(other)) fields.refuse(other, say<"left out of a choice">());
     for (const JsonFields& choice : fields.objects("choices", 2, 20)) {
       choice.only({"word", "title"});
@@ -91,6 +95,11 @@ PackageItem itemIn(const JsonFields& fields) {
   if (fields.has("choices")) fields.refuse("choices", say<"left out, unless the measure is \"choice\"">());
   item.unit = unitIn(fields, "unit");
   item.valid = limitsIn(fields, "valid");
+  if (item.measure == ItemMeasure::velocity && !areComparable(item.unit, Unit::cmPerS)) fields.refuse("unit", say<"mm/s or cm/s">());
+  if (fields.has("spectrum")) {
+    item.spectrum = labelIn(fields, "spectrum");
+    if (item.measure != ItemMeasure::velocity) fields.refuse("spectrum", say<"left out, unless the measure is \"velocity\"">());
+  }
   return item;
 }
 
@@ -104,11 +113,15 @@ struct PackageReader {
     return std::nullopt;
   }
   [[nodiscard]] bool knows(const std::string& label) const { return package.item(label) != nullptr || package.formula(label) != nullptr; }
+  /// An item's or a formula's.
+  void refuseKnown(const JsonFields& fields, const std::string& label) const {
+    if (knows(label) || label == kByDates) fields.refuse("label", say<"a label that no other entry has">());
+  }
 
   void readItems(const JsonFields& fields) {
     for (const JsonFields& each : fields.objects("items", 1, kMostEntries)) {
       PackageItem item = itemIn(each);
-      if (knows(item.label)) each.refuse("label", say<"a label that no other entry has">());
+      refuseKnown(each, item.label);
       package.items.push_back(std::move(item));
     }
   }
@@ -121,7 +134,7 @@ struct PackageReader {
     if (fields.has("side")) input.side = fields.word("side", kSides);
     input.unit = unitIn(fields, "unit");
     input.valid = limitsIn(fields, "valid");
-    const auto unit = unitOfLabel(input.of);
+    const auto unit = input.of == kByDates ? std::optional(Unit::weeks) : unitOfLabel(input.of);
     const auto name = fields.has("of") ? "of" : "name";
     if (!unit)
       fields.refuse(name, say<"the label of an item with a unit or of an earlier formula">());
@@ -166,7 +179,7 @@ struct PackageReader {
       PackageFormula formula;
       each.only({"label", "title", "expression", "inputs", "unit", "valid", "provides", "source", "status", "error", "tests"});
       formula.label = labelIn(each, "label");
-      if (knows(formula.label)) each.refuse("label", say<"a label that no other entry has">());
+      refuseKnown(each, formula.label);
       formula.title = wordsIn(each, "title");
       std::vector<std::string> names;
       for (const JsonFields& input : each.objects("inputs", 1, 12)) {
@@ -194,8 +207,8 @@ struct PackageReader {
   void readCharts(const JsonFields& fields) {
     for (const JsonFields& each : fields.objects("charts", 0, kMostEntries)) {
       PackageChart chart;
-      each.only(
-          {"label", "title", "of", "unit", "valid_weeks", "median", "spread_percent", "lms", "of_logarithm", "source", "status", "tests"});
+      each.only({"label", "title", "of", "unit", "valid_weeks", "median", "spread_percent", "lms", "of_logarithm", "table", "source",
+                 "status", "tests"});
       chart.label = labelIn(each, "label");
       chart.title = wordsIn(each, "title");
       chart.of = each.texts("of", 1, 20);
@@ -209,7 +222,9 @@ struct PackageReader {
       chart.source = longText(each, "source");
       chart.status = longText(each, "status", "");
       chart.isLms = each.has("lms");
-      if (chart.isLms) {
+      if (each.has("table")) {
+        readTable(each, chart);
+      } else if (chart.isLms) {
         for (const char* other : {"median", "spread_percent"})
           if (each.has(other)) each.refuse(other, say<"left out of a chart with \"lms\"">());
         const JsonFields lms = each.object("lms");
@@ -227,6 +242,25 @@ struct PackageReader {
       if (!each.good()) return;
       package.charts.push_back(std::move(chart));
     }
+  }
+
+  static void readTable(const JsonFields& fields, PackageChart& chart) {
+    for (const char* other : {"lms", "median", "spread_percent", "of_logarithm"})
+      if (fields.has(other)) fields.refuse(other, say<"left out of a chart with \"table\"">());
+    const JsonFields table = fields.object("table");
+    table.only({"low_percentile", "rows"});
+    chart.lowPercentile = table.number("low_percentile", 0.1, 49.0);
+    const Message expected = say<"weeks that rise, each with three rising values: low, median and high">();
+    for (const JsonFields& each : table.objects("rows", 2, kMostEntries)) {
+      each.only({"weeks", "low", "median", "high"});
+      const PackageChart::Row row{each.number("weeks", 0.0, 50.0), each.number("low", 0.0, kFarthest),
+                                  each.number("median", 0.0, kFarthest), each.number("high", 0.0, kFarthest)};
+      const bool rises = chart.rows.empty() || row.weeks > chart.rows.back().weeks;
+      if (!rises || !(row.low < row.median && row.median < row.high)) table.refuse("rows", expected);
+      chart.rows.push_back(row);
+    }
+    if (fields.good() && (chart.valid_weeks.low < chart.rows.front().weeks || chart.valid_weeks.high > chart.rows.back().weeks))
+      fields.refuse("valid_weeks", say<"within the weeks of the table">());
   }
 
   static void readChartTests(const JsonFields& fields, PackageChart& chart) {

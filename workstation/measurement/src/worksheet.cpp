@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
+#include "ew/core/figures.h"
 #include "ew/core/numbers.h"
 
 namespace ew::measurement {
@@ -61,6 +63,7 @@ class Filling {
   Filling(const Package& package, const WorksheetInput& input) : package_(package), input_(input) {}
 
   Result<void> takeEntries() {
+    if (input_.gestation_weeks) known_[{std::string(kByDates), ""}] = {{*input_.gestation_weeks, 0.0, Unit::weeks}, {}, {}};
     for (const WorksheetEntry& entry : input_.entries)
       if (auto taken = takeEntry(entry); !taken) return taken;
     for (auto& [key, entries] : entries_) countEntries(key, entries);
@@ -125,8 +128,30 @@ class Filling {
                          entry.label, inUnit(quantity.value, quantity.unit), inUnit(item->valid.low, item->unit),
                          inUnit(item->valid.high, item->unit)),
                      {{"field", entry.label}, {"found", textOf(value)}});
+    if (entry.angle_rad) {
+      if (item->measure != ItemMeasure::velocity)
+        return failure(ErrorCode::badField, say<"%1 is no velocity; leave its angle out.">(entry.label), {{"field", entry.label}});
+      if (!(*entry.angle_rad >= 0.0 && *entry.angle_rad < 0.5 * std::numbers::pi))
+        return failure(ErrorCode::badField, say<"The angle of %1 has to lie from 0 to below 90 degrees.">(entry.label),
+                       {{"field", entry.label}});
+    }
     entries_[{entry.label, entry.side}].push_back(&entry);
     return {};
+  }
+
+  /// Of a velocity, by the error of the angle it was corrected by.
+  [[nodiscard]] double errorByAngle(const WorksheetEntry& entry, Unit unit) const {
+    if (!entry.angle_rad) return 0.0;
+    return converted(entry.quantity.value, entry.quantity.unit, unit) * relativeErrorOfAngle(*entry.angle_rad, input_.angleError_rad);
+  }
+
+  static void remarkOnAngles(const std::vector<const WorksheetEntry*>& entries, WorksheetRow& row) {
+    double steepest_rad = 0.0;
+    for (const WorksheetEntry* entry : entries) steepest_rad = std::max(steepest_rad, entry->angle_rad.value_or(0.0));
+    constexpr double kRounding_rad = 1e-9;
+    if (steepest_rad > kSteepest_rad + kRounding_rad)
+      row.remarks.push_back(say<"%1 was read at %2 degrees; beyond 60 degrees a small error of the angle is a large one of the velocity.">(
+          row.label, numeral(fixedText(steepest_rad * 180.0 / std::numbers::pi, 0))));
   }
 
   /// The entry that counts when one of several does.
@@ -150,21 +175,35 @@ class Filling {
           std::find_if(item.choices.begin(), item.choices.end(), [&](const auto& each) { return each.first == row.choice; })->second;
       return;
     }
-    for (const WorksheetEntry* entry : entries) row.measured.push_back(converted(entry->quantity, item.unit));
+    for (const WorksheetEntry* entry : entries) {
+      Quantity one = converted(entry->quantity, item.unit);
+      one.uncertainty = std::hypot(one.uncertainty, errorByAngle(*entry, item.unit));
+      row.measured.push_back(one);
+    }
     Quantity value = converted(chosen(entries).quantity, item.unit);
+    double byAngle = errorByAngle(chosen(entries), item.unit);
     if (input_.several == Several::mean) {
       // Measurements one by one are independent of each other.
       const auto count = static_cast<double>(row.measured.size());
-      double sum = 0.0, squares = 0.0;
-      for (const Quantity& one : row.measured) {
+      double sum = 0.0, squares = 0.0, angleSquares = 0.0;
+      for (const WorksheetEntry* entry : entries) {
+        const Quantity one = converted(entry->quantity, item.unit);
         sum += one.value;
         squares += one.uncertainty * one.uncertainty;
+        angleSquares += std::pow(errorByAngle(*entry, item.unit), 2);
       }
       value = {sum / count, std::sqrt(squares) / count, item.unit};
+      byAngle = std::sqrt(angleSquares) / count;
     }
+    std::map<std::string, double> contributions{{named(key.first, key.second), value.uncertainty}};
+    if (byAngle != 0.0)  // with the sign of the velocity: what flows back is wrong the other way
+      contributions["angle of " + named(item.spectrum.empty() ? key.first : item.spectrum, key.second)] =
+          std::copysign(byAngle, value.value);
+    value.uncertainty = totalOf(contributions);
     row.value = value;
     row.ranges = rangesOf(package_, key.first, value);
-    known_[key] = {value, {{named(key.first, key.second), value.uncertainty}}, {}};
+    remarkOnAngles(entries, row);
+    known_[key] = {value, std::move(contributions), {}};
   }
 
   [[nodiscard]] bool isSided(const PackageFormula& formula) const {
@@ -185,8 +224,10 @@ class Filling {
     std::vector<const Known*> inputs;
     for (const FormulaInput& input : formula.inputs) {
       const auto found = known_.find(keyOf(input, side));
-      if (found == known_.end()) return;
-      inputs.push_back(&found->second);
+      if (found != known_.end())
+        inputs.push_back(&found->second);
+      else if (input.of != kByDates)
+        return;
     }
     WorksheetRow row;
     row.label = formula.label;
@@ -195,6 +236,11 @@ class Filling {
     row.isFormula = true;
     row.expression = formula.expression.text();
     row.source = formula.source;
+    if (inputs.size() < formula.inputs.size()) {
+      row.remarks.push_back(say<"%1 needs the gestational age by dates.">(formula.label));
+      rows_[{formula.label, side}] = std::move(row);
+      return;
+    }
     std::vector<double> values;
     for (std::size_t n = 0; n < inputs.size(); ++n) {
       const FormulaInput& input = formula.inputs[n];
@@ -337,6 +383,8 @@ const WorksheetRow* Worksheet::row(std::string_view label, std::string_view side
       if (each.label == label && each.side == side) return &each;
   return nullptr;
 }
+
+double relativeErrorOfAngle(double angle_rad, double angleError_rad) { return std::tan(angle_rad) * angleError_rad; }
 
 Message sentenceOf(const RedatingReading& reading) {
   const Message days = numeral(textOf(reading.moreThan_days));

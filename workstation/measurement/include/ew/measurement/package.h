@@ -25,7 +25,7 @@ struct Limits {
 };
 
 /// What of a caliper an item takes.
-enum class ItemMeasure { distance, circumference, area, volume, angle, ratio, slope, heartRate, number, choice };
+enum class ItemMeasure { distance, circumference, area, volume, angle, ratio, slope, heartRate, duration, velocity, number, choice };
 [[nodiscard]] std::string_view wordOf(ItemMeasure measure);  ///< in files: "distance", "heart_rate"
 
 /// Something a worksheet asks for: a length between two calipers, or an answer out of several.
@@ -39,13 +39,17 @@ struct PackageItem {
   bool isSided = false;  ///< measured on the right and on the left
   Limits valid;          ///< what cannot be true is refused (a length typed in mm where cm belong); not of choices
   std::vector<std::pair<std::string, Words>> choices;  ///< of ItemMeasure::choice: word and text
+  std::string spectrum;  ///< of a velocity: items of one spectrum ("ICA") have one angle correction, and one error of it; or empty
   bool operator==(const PackageItem&) const = default;
 };
+
+/// The gestational age by dates, as inputs of formulas and expressions of charts name it; no entry of a package has this label.
+inline constexpr std::string_view kByDates = "GA";
 
 /// An input of a formula: the value of an item or of an earlier formula, in the unit the formula was published with.
 struct FormulaInput {
   std::string name;  ///< in the expression
-  std::string of;    ///< label of an item or of an earlier formula
+  std::string of;    ///< label of an item or of an earlier formula, or kByDates
   std::string side;  ///< "right" or "left" of a sided one; empty: the side the formula is computed for
   Unit unit = Unit::one;
   Limits valid;
@@ -85,17 +89,26 @@ struct PackageFormula {
 
 /// Where the result of a formula lies among others of the same gestational age. Offered with the formulas it was built on alone.
 struct PackageChart {
+  /// What a table prints for a week: the values at a percentile below the median, at the median, and at as many above.
+  struct Row {
+    double weeks = 0.0;
+    double low = 0.0, median = 0.0, high = 0.0;
+    bool operator==(const Row&) const = default;
+  };
   std::string label;
   Words title;
   std::vector<std::string> of;  ///< labels of formulas
   Unit unit = Unit::g;          ///< of the values it knows
   Limits valid_weeks;
-  // Either a median with an even relative spread, or LMS; all of `GA`, in weeks.
+  // A median with an even relative spread, or LMS, all of `GA` in weeks; or a table, with straight lines between its weeks, and on each
+  // side of the median a normal spread that meets the printed percentile.
   bool isLms = false;
   Expression median;            ///< of a spread
   double spread_percent = 0.0;  ///< one standard deviation, of the median
   Expression L, M, S;           ///< Cole & Green 1992: z = ((y / M)^L - 1) / (L S)
   bool ofLogarithm = false;     ///< y is the natural logarithm of the value
+  std::vector<Row> rows;        ///< of a table: two or more, by weeks that rise; empty: one of the others
+  double lowPercentile = 5.0;   ///< of Row::low, below 50
   std::string source;
   std::string status;
   struct Test {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,13 +24,21 @@ struct WorksheetEntry {
   Quantity quantity;        ///< in any unit that the item's can be converted to
   std::string choice;       ///< of a choice: one of its words
   bool isSelected = false;  ///< counts with Several::selected; of none or several of an item the last such one, or the last one
+  std::optional<double> angle_rad = std::nullopt;  ///< of a velocity: the angle it was corrected by, from 0 to below a right one
   bool operator==(const WorksheetEntry&) const = default;
 };
+
+inline constexpr double kSteepest_rad = std::numbers::pi / 3.0;  ///< a velocity read at more carries a remark
+
+/// What an angle that is wrong by `angleError_rad` does to a velocity that was corrected by `angle_rad`, relative to it: tan(angle) times
+/// the error, 9 % at 60 and 3 degrees.
+[[nodiscard]] double relativeErrorOfAngle(double angle_rad, double angleError_rad);
 
 struct WorksheetInput {
   std::vector<WorksheetEntry> entries;  ///< in the order they were made
   Several several = Several::mean;
-  std::optional<double> gestation_weeks;  ///< by dates, 0 to 45; charts and redating need it
+  std::optional<double> gestation_weeks = std::nullopt;  ///< by dates, 0 to 45; charts, redating and some formulas need it
+  double angleError_rad = std::numbers::pi / 60.0;       ///< standard uncertainty of a set angle: 3 degrees
 };
 
 /// How a value stands to a usual range.
@@ -80,7 +89,7 @@ struct WorksheetRow {
   Words convention;                  ///< of an item: where its calipers go
   std::vector<RangeReading> ranges;
   std::vector<ChartReading> charts;
-  std::vector<Message> remarks;  ///< why there is no value, or no percentile
+  std::vector<Message> remarks;  ///< why there is no value, or no percentile; what makes a value doubtful
   bool operator==(const WorksheetRow&) const = default;
 };
 
@@ -130,9 +139,10 @@ inline constexpr const char* kTrainingOnly = "Simulation, training only: not for
 
 /// Fills a package's worksheet. Formulas run in the order of the package; one whose inputs are not all known is left out, one that an input
 /// or its own result is out of range for says so and gives no number. Uncertainties are propagated through all formulas down to what was
-/// measured, so that a measurement which enters twice counts once, with its sign.
+/// measured, so that a measurement which enters twice counts once, with its sign; so does the angle of a spectrum, which ratios within it
+/// do not depend on.
 /// @error badUsage (no such item, or side or answer; the list of those there are), badField (a unit that is none of the item's, a value
-/// outside of what can be true, with the range)
+/// outside of what can be true, with the range, an angle of what is no velocity or of a right one or more)
 [[nodiscard]] Result<Worksheet> fillWorksheet(const Package& package, const WorksheetInput& input);
 
 /// `format` 1. @param language of titles: "en", "de"; remarks are English, as in reports of commands

@@ -46,6 +46,8 @@ std::optional<CaliperKind> toolFor(measurement::ItemMeasure measure) {
       return CaliperKind::slope;
     case measurement::ItemMeasure::heartRate:
       return CaliperKind::heartRate;
+    case measurement::ItemMeasure::duration:
+      return CaliperKind::interval;
     default:
       return std::nullopt;
   }
