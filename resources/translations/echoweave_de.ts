@@ -7795,6 +7795,194 @@
         <translation>Der Ordner %1 (%2) lässt sich nicht lesen: %3.</translation>
     </message>
     <message>
+        <source>%1 of %2 cannot be graded by %3: it lies from %4 to %5; check the value and its unit.</source>
+        <translation>%1 von %2 lässt sich nach %3 nicht einstufen: Es liegt zwischen %4 und %5; prüfen Sie den Wert und seine Einheit.</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3)</source>
+        <translation>%1 %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 %2 does not go with %3, which expects %4; %5 decides by %6.</source>
+        <translation>%1 %2 passt nicht zu „%3“, wo %4 zu erwarten ist; %5 entscheidet nach %6.</translation>
+    </message>
+    <message>
+        <source>%1 %2 speaks for %3, not for %4; %5 decides by %6.</source>
+        <translation>%1 %2 spricht für „%3“, nicht für „%4“; %5 entscheidet nach %6.</translation>
+    </message>
+    <message>
+        <source>from %1 to below %2%3</source>
+        <translation>von %1 bis unter %2%3</translation>
+    </message>
+    <message>
+        <source>above %1 up to %2%3</source>
+        <translation>über %1 bis %2%3</translation>
+    </message>
+    <message>
+        <source>above %1 and below %2%3</source>
+        <translation>über %1 und unter %2%3</translation>
+    </message>
+    <message>
+        <source>above %1%2</source>
+        <translation>über %1%2</translation>
+    </message>
+    <message>
+        <source>below %1%2</source>
+        <translation>unter %1%2</translation>
+    </message>
+    <message>
+        <source>%1: %2, by %3.</source>
+        <translation>%1: %2, aufgrund von %3.</translation>
+    </message>
+    <message>
+        <source>%1 has no grade for these values.</source>
+        <translation>%1 hat für diese Werte keine Stufe.</translation>
+    </message>
+    <message>
+        <source>%1 gives no grade: missing is %2; possible are %3.</source>
+        <translation>%1 ergibt keine Stufe: Es fehlt %2; möglich sind %3.</translation>
+    </message>
+    <message>
+        <source>Assumed: %1, %2.</source>
+        <translation>Angenommen: %1, %2.</translation>
+    </message>
+    <message>
+        <source>%1 lies within its uncertainty of a limit.</source>
+        <translation>%1 liegt um weniger als seine Unsicherheit neben einer Grenze.</translation>
+    </message>
+    <message>
+        <source>no grade by %1</source>
+        <translation>keine Stufe nach %1</translation>
+    </message>
+    <message>
+        <source>%1 by %2, from %3</source>
+        <translation>%1 nach %2, aus %3</translation>
+    </message>
+    <message>
+        <source>They differ: %1; %2.</source>
+        <translation>Sie unterscheiden sich: %1; %2.</translation>
+    </message>
+    <message>
+        <source>a name that no other entry has</source>
+        <translation>ein Name, den kein anderer Eintrag hat</translation>
+    </message>
+    <message>
+        <source>left out of a value</source>
+        <translation>bei einem Messwert weggelassen</translation>
+    </message>
+    <message>
+        <source>names of inputs with a unit</source>
+        <translation>Namen von Eingaben mit einer Einheit</translation>
+    </message>
+    <message>
+        <source>the name of an input with a unit</source>
+        <translation>der Name einer Eingabe mit einer Einheit</translation>
+    </message>
+    <message>
+        <source>pairs of rising numbers of the input with their limits, over all its valid values</source>
+        <translation>Paare aus steigenden Zahlen der Eingabe und ihren Grenzen, über alle gültigen Werte</translation>
+    </message>
+    <message>
+        <source>left out, when the other kind of end is there</source>
+        <translation>weggelassen, wenn die andere Art der Grenze angegeben ist</translation>
+    </message>
+    <message>
+        <source>the name of an input or formula</source>
+        <translation>der Name einer Eingabe oder Formel</translation>
+    </message>
+    <message>
+        <source>left out, since %1 is seen and not measured</source>
+        <translation>weggelassen, da %1 gesehen und nicht gemessen wird</translation>
+    </message>
+    <message>
+        <source>words of the choices</source>
+        <translation>Wörter der Auswahl</translation>
+    </message>
+    <message>
+        <source>left out, since %1 is measured</source>
+        <translation>weggelassen, da %1 gemessen wird</translation>
+    </message>
+    <message>
+        <source>the unit of %1</source>
+        <translation>die Einheit von %1</translation>
+    </message>
+    <message>
+        <source>a limit, or one of above, to and below</source>
+        <translation>eine Grenze, oder eine von above, to und below</translation>
+    </message>
+    <message>
+        <source>a range with at least one value</source>
+        <translation>ein Bereich mit mindestens einem Wert</translation>
+    </message>
+    <message>
+        <source>a primary parameter, since it decides</source>
+        <translation>ein primärer Parameter, da er entscheidet</translation>
+    </message>
+    <message>
+        <source>a parameter that is more than a part of a formula</source>
+        <translation>ein Parameter, der mehr als Teil einer Formel ist</translation>
+    </message>
+    <message>
+        <source>a word that no other grade has</source>
+        <translation>ein Wort, das keine andere Stufe hat</translation>
+    </message>
+    <message>
+        <source>an object with either &quot;all&quot; or &quot;any&quot;</source>
+        <translation>ein Objekt mit entweder &quot;all&quot; oder &quot;any&quot;</translation>
+    </message>
+    <message>
+        <source>conditions that never hold together with those of %1</source>
+        <translation>Bedingungen, die nie zusammen mit denen von %1 gelten</translation>
+    </message>
+    <message>
+        <source>%1, which the conditions give; correct the one that is wrong</source>
+        <translation>%1, was die Bedingungen ergeben; berichtigen Sie, was falsch ist</translation>
+    </message>
+    <message>
+        <source>the criteria %1</source>
+        <translation>Kriterien %1</translation>
+    </message>
+    <message>
+        <source>criteria</source>
+        <translation>Kriterien</translation>
+    </message>
+    <message>
+        <source>mm/s or cm/s</source>
+        <translation>mm/s oder cm/s</translation>
+    </message>
+    <message>
+        <source>left out, unless the measure is &quot;velocity&quot;</source>
+        <translation>weggelassen, außer wenn die Messart &quot;velocity&quot; ist</translation>
+    </message>
+    <message>
+        <source>left out of a chart with &quot;table&quot;</source>
+        <translation>bei einer Kurve mit &quot;table&quot; weggelassen</translation>
+    </message>
+    <message>
+        <source>weeks that rise, each with three rising values: low, median and high</source>
+        <translation>steigende Wochen, jede mit drei steigenden Werten: low, median und high</translation>
+    </message>
+    <message>
+        <source>within the weeks of the table</source>
+        <translation>innerhalb der Wochen der Tabelle</translation>
+    </message>
+    <message>
+        <source>%1 is no velocity; leave its angle out.</source>
+        <translation>%1 ist keine Geschwindigkeit; lassen Sie den Winkel weg.</translation>
+    </message>
+    <message>
+        <source>The angle of %1 has to lie from 0 to below 90 degrees.</source>
+        <translation>Der Winkel von %1 muss zwischen 0 und unter 90 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>%1 was read at %2 degrees; beyond 60 degrees a small error of the angle is a large one of the velocity.</source>
+        <translation>%1 wurde bei %2 Grad gemessen; jenseits von 60 Grad wird ein kleiner Winkelfehler zu einem großen der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>%1 needs the gestational age by dates.</source>
+        <translation>%1 braucht das Gestationsalter nach Terminen.</translation>
+    </message>
+    <message>
         <source>measurement packages</source>
         <translation>Messpakete</translation>
     </message>
