@@ -7,16 +7,10 @@
 
 #include "ew/core/progress.h"
 #include "ew/core/result.h"
+#include "ew/core/surface_mesh.h"
 #include "ew/core/volume.h"
 
 namespace ew {
-
-/// A triangle mesh in world coordinates (LPS, mm), outward normals, counter-clockwise seen from outside.
-struct SurfaceMesh {
-  std::vector<glm::vec3> points_mm;
-  std::vector<glm::vec3> normals;
-  std::vector<glm::ivec3> triangles;
-};
 
 /// The implicit body of a mannequin recipe (resources/mannequin/*.json): ellipsoids, tapered capsules, tubes and lofts through
 /// cross-sections, blended smoothly in the recipe's order. Symmetric in x; safe to ask from several threads at once.
