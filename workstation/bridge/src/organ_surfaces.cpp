@@ -21,6 +21,7 @@
 
 #include "ew/bridge/convert.h"
 #include "ew/core/contract.h"
+#include "ew/core/label_colour.h"
 
 namespace ew::bridge {
 namespace {
@@ -142,17 +143,6 @@ Result<std::shared_ptr<const OrganSurfaces>> OrganSurfaces::of(const Volume& lab
     parts->mesh = all->GetOutput();
   }
   return std::shared_ptr<const OrganSurfaces>(new OrganSurfaces(std::move(parts)));
-}
-
-glm::dvec3 colourOfLabel(int label) {
-  constexpr double kGoldenTurn = 0.61803398874989485;
-  constexpr double kSaturation = 0.45, kValue = 0.88;
-  const double hue = 6.0 * std::fmod(static_cast<double>(label) * kGoldenTurn, 1.0);
-  const auto channel = [&](double offset) {
-    const double k = std::fmod(offset + hue, 6.0);
-    return kValue * (1.0 - kSaturation * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0));
-  };
-  return {channel(5.0), channel(3.0), channel(1.0)};
 }
 
 }  // namespace ew::bridge

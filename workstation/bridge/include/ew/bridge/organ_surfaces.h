@@ -34,7 +34,4 @@ class OrganSurfaces {
   std::unique_ptr<Parts> parts_;
 };
 
-/// A colour for a number, always the same: hues a golden angle apart, so that neighbours differ. Red, green, blue, 0 to 1.
-[[nodiscard]] glm::dvec3 colourOfLabel(int label);
-
 }  // namespace ew::bridge
