@@ -3,7 +3,7 @@
 # counts for the room that has its source.
 
 # The rooms of each library that has them, from the bottom to the top; whoever adds a folder says here where it stands.
-set(EW_ROOMS_io files volumes dicom sweeps images films)
+set(EW_ROOMS_io files volumes surfaces dicom sweeps images films)
 set(EW_ROOMS_phantom shapes patient echoes scanner)
 set(EW_ROOMS_library files case making learning index access publishing)
 set(EW_ROOMS_assessment measures works attempts rating)

@@ -175,19 +175,6 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Surfaces, ::testing::Values("egg", "ball", "ben
   return name;
 });
 
-TEST(Surfaces, AreWrittenAsStlAndPlyOfTheRightSize) {
-  const auto patient = patientOf(patientRecipe(kOrgans));
-  ASSERT_TRUE(patient);
-  const auto mesh = surfaceOf(**patient, "ball", 2.0, noProgress());
-  ASSERT_TRUE(mesh);
-  const testing::Folder folder;
-  ASSERT_TRUE(writeSurface(*mesh, folder.path() / "a.stl"));
-  EXPECT_EQ(std::filesystem::file_size(folder.path() / "a.stl"), 84 + 50 * mesh->triangles.size());
-  ASSERT_TRUE(writeSurface(*mesh, folder.path() / "a.ply"));
-  EXPECT_GT(std::filesystem::file_size(folder.path() / "a.ply"), 24 * mesh->points_mm.size() + 13 * mesh->triangles.size());
-  EXPECT_EQ(writeSurface(*mesh, folder.path() / "a.obj").error().code, ErrorCode::unsupported);
-}
-
 TEST(Surfaces, ThatCannotBeMadeSayWhy) {
   const auto patient = patientOf(patientRecipe(kOrgans));
   ASSERT_TRUE(patient);

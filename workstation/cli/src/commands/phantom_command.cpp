@@ -7,6 +7,7 @@
 #include "ew/core/numbers.h"
 #include "ew/core/quiet_progress.h"
 #include "ew/io/safe_file.h"
+#include "ew/io/surface_file.h"
 #include "ew/io/volume_file.h"
 #include "ew/library/case.h"
 #include "ew/phantom/flow.h"

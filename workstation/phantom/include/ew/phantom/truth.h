@@ -43,8 +43,4 @@ struct StandardPlane {
 /// @error badField (no such organ, edge), tooLarge, cancelled
 [[nodiscard]] Result<SurfaceMesh> surfaceOf(const Patient& patient, const std::string& organ, double edge_mm, Progress& progress);
 
-/// Writes a surface as binary .stl or .ply (with normals), in mm.
-/// @error unsupported (another ending), notWritable
-[[nodiscard]] Result<void> writeSurface(const SurfaceMesh& mesh, const std::filesystem::path& file);
-
 }  // namespace ew
