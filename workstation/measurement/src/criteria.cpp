@@ -19,10 +19,6 @@ std::string choiceList(const CriteriaInput& input) {
   return all;
 }
 
-Message inUnit(double value, Unit unit) {
-  return unit == Unit::one ? numeral(textOf(value)) : say<"%1 %2">(numeral(textOf(value)), std::string(symbolOf(unit)));
-}
-
 /// 36.5 cm/s times 1.5, divided by 36.5 cm/s, is 1.5 but for its last digit.
 bool isAt(double value, double end) { return std::abs(value - end) <= 1e-9 * std::abs(end); }
 

@@ -15,9 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kFarthest = 1e9;
-constexpr std::size_t kMostEntries = 50;
-constexpr std::size_t kLongestText = 600;
+constexpr double kFarthestLimit = 1e9;
+constexpr std::size_t kMostOfCriteria = 50;
+constexpr std::size_t kLongestSource = 600;
 
 constexpr WordTable<CriteriaRole, 3> kRoles{
     {{"primary", CriteriaRole::primary}, {"additional", CriteriaRole::additional}, {"part", CriteriaRole::part}}};
@@ -81,7 +81,7 @@ struct CriteriaReader {
   }
 
   void readInputs(const JsonFields& fields) {
-    for (const JsonFields& each : fields.objects("inputs", 1, kMostEntries)) {
+    for (const JsonFields& each : fields.objects("inputs", 1, kMostOfCriteria)) {
       CriteriaInput input;
       each.only({"name", "title", "role", "of", "unit", "valid", "choices", "assumed"});
       input.name = nameIn(each, "name");
@@ -95,7 +95,7 @@ struct CriteriaReader {
         if (each.has("assumed")) each.refuse("assumed", say<"left out of a value">());
         input.unit = unitIn(each);
         const Message expected = say<"two rising numbers, the smallest and the largest value">();
-        const auto both = each.numbers("valid", 2, 2, -kFarthest, kFarthest, true, expected);
+        const auto both = each.numbers("valid", 2, 2, -kFarthestLimit, kFarthestLimit, true, expected);
         if (both.size() == 2 && !(both[0] < both[1])) each.refuse("valid", expected);
         if (both.size() == 2) input.valid = {both[0], both[1]};
       }
@@ -104,13 +104,14 @@ struct CriteriaReader {
   }
 
   static void readFormulaTests(const JsonFields& fields, CriteriaFormula& formula) {
-    for (const JsonFields& each : fields.objects("tests", 1, kMostEntries)) {
+    for (const JsonFields& each : fields.objects("tests", 1, kMostOfCriteria)) {
       each.only({"inputs", "result", "digits"});
       const JsonFields inputs = each.object("inputs");
       inputs.only(formula.expression.inputs());
       TestVector test;
-      for (const std::string& name : formula.expression.inputs()) test.inputs.push_back(inputs.number(name, -kFarthest, kFarthest));
-      test.result = each.number("result", -kFarthest, kFarthest);
+      for (const std::string& name : formula.expression.inputs())
+        test.inputs.push_back(inputs.number(name, -kFarthestLimit, kFarthestLimit));
+      test.result = each.number("result", -kFarthestLimit, kFarthestLimit);
       test.digits = static_cast<int>(each.whole("digits", 0, 9));
       if (!each.good()) return;
       const double found = formula.expression.evaluate(test.inputs);
@@ -121,7 +122,7 @@ struct CriteriaReader {
   }
 
   void readFormulas(const JsonFields& fields) {
-    for (const JsonFields& each : fields.objects("formulas", 0, kMostEntries)) {
+    for (const JsonFields& each : fields.objects("formulas", 0, kMostOfCriteria)) {
       CriteriaFormula formula;
       each.only({"name", "title", "role", "expression", "inputs", "unit", "tests"});
       formula.name = nameIn(each, "name");
@@ -153,14 +154,15 @@ struct CriteriaReader {
     const CriteriaInput* by = criteria.input(limit.by);
     if (by == nullptr || !by->choices.empty()) object.refuse("by", say<"the name of an input with a unit">());
     const Message expected = say<"pairs of rising numbers of the input with their limits, over all its valid values">();
-    for (const json& row : object.list("table", 2, kMostEntries, expected)) {
-      const bool isPair =
-          row.is_array() && row.size() == 2 && numberWithin(row[0], -kFarthest, kFarthest) && numberWithin(row[1], -kFarthest, kFarthest);
-      if (!isPair || (!limit.table.empty() && !(*numberWithin(row[0], -kFarthest, kFarthest) > limit.table.back().first))) {
+    for (const json& row : object.list("table", 2, kMostOfCriteria, expected)) {
+      const bool isPair = row.is_array() && row.size() == 2 && numberWithin(row[0], -kFarthestLimit, kFarthestLimit) &&
+                          numberWithin(row[1], -kFarthestLimit, kFarthestLimit);
+      if (!isPair || (!limit.table.empty() && !(*numberWithin(row[0], -kFarthestLimit, kFarthestLimit) > limit.table.back().first))) {
         object.refuse("table", expected);
         return limit;
       }
-      limit.table.emplace_back(*numberWithin(row[0], -kFarthest, kFarthest), *numberWithin(row[1], -kFarthest, kFarthest));
+      limit.table.emplace_back(*numberWithin(row[0], -kFarthestLimit, kFarthestLimit),
+                               *numberWithin(row[1], -kFarthestLimit, kFarthestLimit));
     }
     if (object.good() && (by->valid.low < limit.table.front().first || by->valid.high > limit.table.back().first))
       object.refuse("table", expected);
@@ -175,7 +177,7 @@ struct CriteriaReader {
     const json* value = fields.find(key);
     if (value == nullptr) return std::nullopt;
     if (value->is_object()) return tableIn(fields, key);
-    return CriteriaLimit{fields.number(key, -kFarthest, kFarthest), {}, {}};
+    return CriteriaLimit{fields.number(key, -kFarthestLimit, kFarthestLimit), {}, {}};
   }
 
   Condition conditionIn(const JsonFields& fields) const {
@@ -207,7 +209,7 @@ struct CriteriaReader {
 
   std::vector<Condition> conditionsIn(const JsonFields& fields, std::string_view key, std::size_t atLeast, bool decides) const {
     std::vector<Condition> made;
-    for (const JsonFields& each : fields.objects(key, atLeast, kMostEntries)) {
+    for (const JsonFields& each : fields.objects(key, atLeast, kMostOfCriteria)) {
       made.push_back(conditionIn(each));
       if (!each.good()) return made;
       const CriteriaRole role = roleOf(made.back().of);
@@ -218,7 +220,7 @@ struct CriteriaReader {
   }
 
   void readGrades(const JsonFields& fields) {
-    for (const JsonFields& each : fields.objects("grades", 2, kMostEntries)) {
+    for (const JsonFields& each : fields.objects("grades", 2, kMostOfCriteria)) {
       CriteriaGrade grade;
       each.only({"word", "title", "when", "expects"});
       grade.word = nameIn(each, "word");
@@ -229,7 +231,7 @@ struct CriteriaReader {
       when.only({"all", "any"});
       if (when.has("all") == when.has("any")) each.refuse("when", say<"an object with either \"all\" or \"any\"">());
       if (when.has("all")) grade.when.push_back(conditionsIn(when, "all", 1, true));
-      for (const JsonFields& way : when.objects("any", when.has("any") ? 1 : 0, kMostEntries)) {
+      for (const JsonFields& way : when.objects("any", when.has("any") ? 1 : 0, kMostOfCriteria)) {
         way.only({"all"});
         grade.when.push_back(conditionsIn(way, "all", 1, true));
       }
@@ -273,7 +275,7 @@ struct CriteriaReader {
         names.push_back(input.name);
         if (!values.has(input.name)) continue;
         if (input.choices.empty())
-          test.values[input.name].quantity = {values.number(input.name, -kFarthest, kFarthest), 0.0, input.unit};
+          test.values[input.name].quantity = {values.number(input.name, -kFarthestLimit, kFarthestLimit), 0.0, input.unit};
         else
           test.values[input.name].choice = values.text(input.name);
       }
@@ -309,8 +311,8 @@ Result<Criteria> criteriaFromJson(const json& document, const std::string& id, c
   reader.criteria.year = static_cast<int>(fields.whole("year", 1950, 2100, 0));
   reader.criteria.vessel = nameIn(fields, "vessel");
   reader.criteria.vesselTitle = wordsIn(fields, "vessel_title");
-  reader.criteria.source = fields.text("source", {}, 1, kLongestText);
-  reader.criteria.status = fields.text("status", {}, 1, kLongestText);
+  reader.criteria.source = fields.text("source", {}, 1, kLongestSource);
+  reader.criteria.status = fields.text("status", {}, 1, kLongestSource);
   reader.readInputs(fields);
   reader.readFormulas(fields);
   if (reading.good()) reader.readGrades(fields);

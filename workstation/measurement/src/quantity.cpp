@@ -136,6 +136,9 @@ std::string gestationText(double weeks) {
   return std::to_string(days / 7) + "w" + std::to_string(days % 7) + "d";
 }
 
+Message inUnit(const Message& number, Unit unit) { return unit == Unit::one ? number : say<"%1 %2">(number, std::string(symbolOf(unit))); }
+Message inUnit(double value, Unit unit) { return inUnit(numeral(textOf(value)), unit); }
+
 Message quantityText(const Quantity& quantity) {
   if (quantity.unit == Unit::weeks) {
     Message age = verbatim(gestationText(quantity.value));

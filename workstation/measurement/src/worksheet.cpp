@@ -41,9 +41,6 @@ std::string choiceList(const PackageItem& item) {
 /// Label and side, as commands and sentences write it: "KIDNEY/right".
 std::string named(const std::string& label, const std::string& side) { return side.empty() ? label : label + "/" + side; }
 
-Message inUnit(const Message& number, Unit unit) { return unit == Unit::one ? number : say<"%1 %2">(number, std::string(symbolOf(unit))); }
-Message inUnit(double value, Unit unit) { return inUnit(numeral(textOf(value)), unit); }
-
 std::vector<RangeReading> rangesOf(const Package& package, const std::string& label, const Quantity& value) {
   std::vector<RangeReading> readings;
   for (const ReferenceRange& range : package.ranges) {

@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kWarmFrames = 10;
+constexpr int kFirstFrames = 10;
 constexpr double kFrame_s = 0.04;
 constexpr double kFramesPerSwing = 90.0;
 constexpr double kColourBar_ms = 5.0, kTriplexBar_ms = 50.0, kDeviationBar = 0.15;
@@ -80,17 +80,17 @@ Result<std::vector<json>> timesOf(const EchoSubject& subject, const FlowBenchOpt
     setting.apply(state.knobs);
   }
   std::vector<std::vector<double>> took_ms(all.size()), added_ms(all.size());
-  for (int n = -kWarmFrames; n < options.frames; ++n) {
+  for (int n = -kFirstFrames; n < options.frames; ++n) {
     if (progress.cancelRequested()) return failure(ErrorCode::cancelled, say<"The benchmark was stopped.">());
-    progress.report(say<"Timing frames of Doppler">(), static_cast<double>(n + kWarmFrames) / (options.frames + kWarmFrames));
+    progress.report(say<"Timing frames of Doppler">(), static_cast<double>(n + kFirstFrames) / (options.frames + kFirstFrames));
     const double phase = 2.0 * std::numbers::pi * n / kFramesPerSwing;
     for (std::size_t s = 0; s < all.size(); ++s) {
       ScanState& state = states[s];
       state.pose.probeToWorld = subject.anchors.front();
       state.pose.probeToWorld.matrix =
           glm::translate(state.pose.probeToWorld.matrix, {2.0 * std::sin(phase), 0.0, 2.0 * std::sin(0.7 * phase)});
-      state.number = static_cast<std::uint64_t>(n + kWarmFrames);
-      state.time_s = (n + kWarmFrames) * kFrame_s;
+      state.number = static_cast<std::uint64_t>(n + kFirstFrames);
+      state.time_s = (n + kFirstFrames) * kFrame_s;
       if (subject.subject.motion) state.body = bodyAt(subject.subject.motion->rhythms, state.time_s);
       const auto start = Clock::now();
       [[maybe_unused]] const DisplayImage image = scanners[s]->make(state, options.width_px, options.height_px);
@@ -143,7 +143,7 @@ Result<json> accuracyOf(int packets, Progress& progress) {
   return rows;
 }
 
-json mustShowOf(const json& report) {
+json flowBarsOf(const json& report) {
   json bars = json::array();
   const auto add = [&](const char* name, double value, double limit) {
     bars.push_back({{"name", name}, {"value", value}, {"limit", limit}, {"met", value <= limit}});
@@ -191,7 +191,7 @@ Result<json> benchFlow(const FlowBenchOptions& options, Progress& progress) {
   auto accuracy = accuracyOf(options.packets, comparing);
   if (!accuracy) return passOn(accuracy.error());
   report["accuracy"] = std::move(*accuracy);
-  report["must_show"] = mustShowOf(report);
+  report["must_show"] = flowBarsOf(report);
   return report;
 }
 

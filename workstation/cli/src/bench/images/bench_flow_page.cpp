@@ -6,9 +6,9 @@ namespace {
 
 using nlohmann::json;
 
-std::string figureIn(const json& row, const char* key, int decimals) { return fixedText(row[key].get<double>(), decimals); }
+std::string flowFigure(const json& row, const char* key, int decimals) { return fixedText(row[key].get<double>(), decimals); }
 
-BenchSection timeSection(const json& report) {
+BenchSection flowTimes(const json& report) {
   BenchSection section;
   section.title = "Doppler: what it adds to a frame";
   section.text = std::to_string(report["width"].get<int>()) + " x " + std::to_string(report["height"].get<int>()) +
@@ -22,13 +22,13 @@ BenchSection timeSection(const json& report) {
       section.bars.push_back(
           {row["case"].get<std::string>() + ", " + row["setting"].get<std::string>(), row["median_ms"].get<double>(), BenchMark::own});
     section.table.rows.push_back({row["case"].get<std::string>(), row["setting"].get<std::string>(),
-                                  std::to_string(row["threads"].get<int>()), figureIn(row, "median_ms", 2), figureIn(row, "p99_ms", 2),
-                                  figureIn(row, "added_ms", 2), figureIn(row, "added_p99_ms", 2)});
+                                  std::to_string(row["threads"].get<int>()), flowFigure(row, "median_ms", 2), flowFigure(row, "p99_ms", 2),
+                                  flowFigure(row, "added_ms", 2), flowFigure(row, "added_p99_ms", 2)});
   }
   return section;
 }
 
-BenchSection accuracySection(const json& report) {
+BenchSection flowAccuracy(const json& report) {
   BenchSection section;
   section.title = "Colour against the truth and against moving scatterers";
   section.text =
@@ -44,21 +44,21 @@ BenchSection accuracySection(const json& report) {
                     "Gate, colour, us", "Gate, scatterers, us"},
                    {}};
   for (const auto& row : report["accuracy"]) {
-    const std::string angle = figureIn(row, "angle_deg", 0) + " degrees";
+    const std::string angle = flowFigure(row, "angle_deg", 0) + " degrees";
     const double off_percent = 100.0 * std::abs(row["colour_deviation"].get<double>() / row["scatterers_deviation"].get<double>() - 1.0);
-    const std::string name = angle + ", " + figureIn(row, "signal_to_noise_db", 0) + " dB";
+    const std::string name = angle + ", " + flowFigure(row, "signal_to_noise_db", 0) + " dB";
     section.points.push_back({name, name, 1e-3 * row["colour_us"].get<double>(), 50.0 - std::min(50.0, off_percent), BenchMark::own, ""});
     section.points.push_back({"", name, 1e-3 * row["scatterers_us"].get<double>(), 50.0, BenchMark::peer, ""});
-    section.table.rows.push_back({angle, figureIn(row, "signal_to_noise_db", 0), figureIn(row, "truth", 3), figureIn(row, "colour", 3),
-                                  figureIn(row, "scatterers", 3), figureIn(row, "colour_deviation", 3),
-                                  figureIn(row, "scatterers_deviation", 3), figureIn(row, "colour_us", 2),
-                                  figureIn(row, "scatterers_us", 1)});
+    section.table.rows.push_back({angle, flowFigure(row, "signal_to_noise_db", 0), flowFigure(row, "truth", 3),
+                                  flowFigure(row, "colour", 3), flowFigure(row, "scatterers", 3), flowFigure(row, "colour_deviation", 3),
+                                  flowFigure(row, "scatterers_deviation", 3), flowFigure(row, "colour_us", 2),
+                                  flowFigure(row, "scatterers_us", 1)});
   }
   return section;
 }
 
 }  // namespace
 
-std::vector<BenchSection> flowSections(const json& report) { return {timeSection(report), accuracySection(report)}; }
+std::vector<BenchSection> flowSections(const json& report) { return {flowTimes(report), flowAccuracy(report)}; }
 
 }  // namespace ew

@@ -66,6 +66,10 @@ std::ostream& operator<<(std::ostream& out, const Quantity& quantity);  ///< sho
 /// "32w1d": to the nearest day. @param weeks >= 0
 [[nodiscard]] std::string gestationText(double weeks);
 
+/// A number with its unit's symbol; a plain ratio alone.
+[[nodiscard]] Message inUnit(const Message& number, Unit unit);
+[[nodiscard]] Message inUnit(double value, Unit unit);  ///< with as many decimals as it has
+
 /// As people read it: "82.0 ± 0.9 mm", areas in "cm²", angles in "°", gestational ages (weeks, >= 0) as "32w1d ± 5 d".
 [[nodiscard]] Message quantityText(const Quantity& quantity);
 
