@@ -282,9 +282,9 @@ TEST(WholeFrame, ReconfiguredGivesTheSamePixelsAsANewOne) {
     const Probe probe = maybe() ? convexProbe() : linearProbe();
     const int width = maybe() ? 120 : 90;
     FrameMaker fresh;
-    used.configure(probe, knobs, scene, body.echo.grid, width, 100, hasLabels);
+    used.configure(probe, knobs, scene, body.echo.grid, width, 100, {.labels = hasLabels});
     used.forget();
-    fresh.configure(probe, knobs, scene, body.echo.grid, width, 100, hasLabels);
+    fresh.configure(probe, knobs, scene, body.echo.grid, width, 100, {.labels = hasLabels});
     FrameInput input = body.input(poseAt({0, -55, 0}, 0.1 * trial), trial);
     if (maybe()) input.gaps_mm = {};
     ASSERT_EQ(copyOf(used.make(input).grey), copyOf(fresh.make(input).grey)) << "trial " << trial;
@@ -330,8 +330,8 @@ TEST(WholeFrame, IsMirroredExactlyWhenTheProbeTurnsByHalfATurn) {
         knobs.quality = quality;
         knobs.focusMethod = method;
         FrameMaker straight, turned;
-        straight.configure(probe, knobs, scene, body.echo.grid, 241, 220, true);
-        turned.configure(probe, knobs, scene, body.echo.grid, 241, 220, true);
+        straight.configure(probe, knobs, scene, body.echo.grid, 241, 220, {.labels = true});
+        turned.configure(probe, knobs, scene, body.echo.grid, 241, 220, {.labels = true});
         const Pose pose = poseAt({4, -57, 3}, 0.4);
         Pose half = pose;
         half.probeToWorld.matrix[0] *= -1.0;  // half a turn about y: x and z point the other way
@@ -459,7 +459,7 @@ TEST(WholeFrame, GoesByGreyLevelWhereAFrameComesWithoutItsLabels) {
                    {.label = 1, .name = "tissue", .attenuation_dbPerCmMhz = 5.0}};
   FrameMaker maker, byGrey;
   maker.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, {.labels = true});
-  byGrey.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110, false);
+  byGrey.configure(convexProbe(), {}, scene, body.echo.grid, 120, 110);
   FrameInput input = body.input(poseAt({0, -55, 0}));
   const GreyImage byTissue = copyOf(maker.make(input).grey);
   input.labels = {};
