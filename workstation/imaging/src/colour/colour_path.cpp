@@ -100,14 +100,32 @@ void ColourPath::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   blood_ = bloodPower(box_.carrier_hz);
   if (scene.attenuation) losses_ = makeTissueLosses(scene, box_.carrier_hz, grid_.sampleSpacing_mm);
 
-  // Pixels of the image's fan that lie in the box.
+  if (pixelsFrom_.changesTo(probe, knobs_.steering_rad, knobs.steering_rad, knobs.trapezoid, grid_, geometry,
+                            glm::dvec4(box_.left, box_.right, box_.top_mm, box_.bottom_mm)))
+    layPixels(probe, knobs, geometry);
+  layColours();
+}
+
+void ColourPath::layPixels(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry) {
+  // Pixels of the image's fan that lie in the box, looked for in the rectangle around it.
+  const glm::dmat4 toImage = inverse(geometry.imageToProbe()).matrix;
+  glm::dvec2 low(1e300), high(-1e300);
+  for (const glm::dvec2& at_mm : colourBoxOutline_mm(probe, knobs)) {
+    const glm::dvec2 at_px(toImage * glm::dvec4(at_mm, 0.0, 1.0));
+    low = glm::min(low, at_px);
+    high = glm::max(high, at_px);
+  }
+  const int firstRow = std::max(0, static_cast<int>(std::floor(low.y)) - 1);
+  const int lastRow = std::min(geometry.height - 1, static_cast<int>(std::ceil(high.y)) + 1);
+  const int firstColumn = static_cast<int>(std::floor(std::max(low.x, 0.0))) - 1;
+  const int endColumn = static_cast<int>(std::ceil(std::min(high.x, static_cast<double>(geometry.width)))) + 2;
   const FanShape fan = fanShapeOf(probe, knobs_);
   Spans within(static_cast<std::size_t>(geometry.height));
   const Spans inFan = fanSpans(probe, knobs, geometry);
-  for (int y = 0; y < geometry.height; ++y) {
+  for (int y = firstRow; y <= lastRow; ++y) {
     auto& row = within[static_cast<std::size_t>(y)];
     for (const RowSpan& span : inFan[static_cast<std::size_t>(y)])
-      for (int x = span.begin; x < span.end; ++x) {
+      for (int x = std::max(span.begin, firstColumn); x < std::min(span.end, endColumn); ++x) {
         const FanShape::Place place = fan.placeOf(geometry.probePoint_mm(x, y));
         if (place.across < box_.left || place.across > box_.right || place.depth_mm < box_.top_mm || place.depth_mm > box_.bottom_mm)
           continue;
@@ -117,7 +135,6 @@ void ColourPath::configure(const Probe& probe, const Knobs& knobs, const Scene& 
   }
   conversion_ = conversionOf(fan, std::move(within), grid_, geometry);
   image_ = Image<Rgba>(geometry.width, geometry.height, Rgba(0));
-  layColours();
 }
 
 void ColourPath::layColours() {

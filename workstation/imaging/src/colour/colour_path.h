@@ -65,6 +65,7 @@ class ColourPath {
   [[nodiscard]] std::size_t indexOf(int line, int gate) const {
     return static_cast<std::size_t>(gate) * grid_.lines.size() + static_cast<std::size_t>(line);
   }
+  void layPixels(const Probe& probe, const Knobs& knobs, const DisplayGeometry& geometry);
   void layColours();
   void findMotion();
   [[nodiscard]] RelativeMotion::At motionAt(int line, double depth_mm) const;
@@ -88,6 +89,7 @@ class ColourPath {
   int packet_ = 0;
   ScanConversionTable conversion_;
   ChangeDetector<Probe, Knobs, Scene, DisplayGeometry> from_;
+  ChangeDetector<Probe, double, double, bool, BeamGrid, DisplayGeometry, glm::dvec4> pixelsFrom_;
   std::vector<float> shown_;   ///< by gate: the power that is just shown
   std::vector<float> noise_;   ///< by gate: its power before the wall filter
   double noiseOfShown_ = 0.0;  ///< of the noise that passes the filter, over what is just shown
