@@ -277,6 +277,32 @@ TEST(SpectralGate, CorrectsForTheAngle) {
   EXPECT_NEAR(spectralGateOf(probe, moved).middle_mm.y, 30.0, 1e-9);
 }
 
+TEST(Spectrum, GoesOnWhenItsGainIsTurned) {
+  Spectrogram spectrogram;
+  SpectrumSetting setting{.prf_hz = 4000.0, .black = 1.0};
+  spectrogram.configure(setting, 400, 64, 2.0);
+  std::vector<std::complex<float>> tone;
+  for (int n = 0; n < 2000; ++n) tone.emplace_back(std::polar(30.0, 0.8 * n));
+  spectrogram.add(tone, 0.0);
+  const int before = spectrogram.columns();
+  ASSERT_GT(before, 80);
+  setting.black = 100.0;
+  spectrogram.configure(setting, 400, 64, 2.0);
+  EXPECT_EQ(spectrogram.columns(), before);
+  spectrogram.add(tone, 0.5);
+  EXPECT_GT(spectrogram.columns(), before + 80);
+  // Lighter before than after, at the tone.
+  const auto brightest = [&](int column) {
+    int most = 0;
+    for (int y = 0; y < 64; ++y) most = std::max<int>(most, spectrogram.strip().image().at(column, y));
+    return most;
+  };
+  EXPECT_GT(brightest(40), brightest(before + 40));
+  setting.baseline = 0.5;
+  spectrogram.configure(setting, 400, 64, 2.0);
+  EXPECT_EQ(spectrogram.columns(), 0);
+}
+
 TEST(Spectrum, GoesOnFromWhatItRemembers) {
   const Shot shot = shotOf({.angle_rad = 45.0 * pi / 180.0});
   ColourScan scan(shot), other(shot);

@@ -111,7 +111,15 @@ Spectrogram& Spectrogram::operator=(Spectrogram&&) noexcept = default;
 void Spectrogram::configure(const SpectrumSetting& setting, int columns, int rows, double sweep_s) {
   EW_EXPECTS(columns >= 0 && rows >= 0 && sweep_s > 0.0 && setting.black > 0.0 && setting.dynamicRange_db > 0.0);
   Parts& p = *parts_;
-  if (setting == p.setting && columns == p.width && rows == p.height && sweep_s == p.sweep_s && p.window > 0) return;
+  const auto laidAs = [&](SpectrumSetting other) {
+    other.black = setting.black;
+    other.dynamicRange_db = setting.dynamicRange_db;
+    return other == setting;
+  };
+  if (laidAs(p.setting) && columns == p.width && rows == p.height && sweep_s == p.sweep_s && p.window > 0) {
+    p.setting = setting;  // how light the next columns are
+    return;
+  }
   p.setting = setting;
   p.width = columns;
   p.height = rows;

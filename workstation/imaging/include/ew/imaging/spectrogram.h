@@ -35,7 +35,8 @@ class Spectrogram {
   Spectrogram(Spectrogram&&) noexcept;
   Spectrogram& operator=(Spectrogram&&) noexcept;
 
-  /// @param columns, rows of the strip, >= 0; @param sweep_s time across it. A change of any starts afresh.
+  /// @param columns, rows of the strip, >= 0; @param sweep_s time across it. A change of any starts afresh, but for black and range, which
+  /// the next columns have.
   void configure(const SpectrumSetting& setting, int columns, int rows, double sweep_s);
   /// The next samples. @param time_s of the first of them; where they do not go on from the last (half a sample), everything starts afresh
   void add(std::span<const std::complex<float>> samples, double time_s);
