@@ -155,7 +155,7 @@ TracePoint traceOf(std::span<const float> powers, double noise, const TraceRule&
   return point;
 }
 
-std::vector<TracePoint> tracedBy(const Spectrogram& spectrogram, const TraceRule& rule) {
+std::vector<TracePoint> tracedBy(const Spectrogram& spectrogram, const TraceRule& rule, double from_s) {
   std::vector<TracePoint> points;
   const int columns = spectrogram.columns();
   if (columns == 0) return points;
@@ -172,6 +172,7 @@ std::vector<TracePoint> tracedBy(const Spectrogram& spectrogram, const TraceRule
   std::vector<float> mean(static_cast<std::size_t>(spectrogram.bins()));
   for (int column = 0; column < columns; ++column) {
     const double time_s = spectrogram.timeOf(column);
+    if (time_s < from_s) continue;
     std::fill(mean.begin(), mean.end(), 0.0F);
     int count = 0;
     const auto add = [&](int from) {

@@ -169,6 +169,7 @@ void Spectrogram::add(std::span<const std::complex<float>> samples, double time_
 }
 
 const MModeStrip& Spectrogram::strip() const { return parts_->strip; }
+const SpectrumSetting& Spectrogram::setting() const { return parts_->setting; }
 int Spectrogram::window() const { return parts_->window; }
 int Spectrogram::bins() const { return 2 * parts_->window; }
 int Spectrogram::columns() const { return static_cast<int>(std::min<std::int64_t>(parts_->made, parts_->width)); }

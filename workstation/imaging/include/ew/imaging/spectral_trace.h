@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,7 +35,9 @@ struct TraceRule {
 /// The envelope of every column that a spectrogram keeps. The greatest velocity is where power has fallen to half of its level below: right
 /// for a parabola, whose spectrum is even up to there (Vilkomerson, Ricci, Tortoli, IEEE IUS 2011), and within a bin for a plug, whose
 /// spectrum is one line. What smoothing, window and speckle widen is in both halves of the slope.
-[[nodiscard]] std::vector<TracePoint> tracedBy(const Spectrogram& spectrogram, const TraceRule& rule);
+/// @param from_s columns before are passed over; each takes some 40 us
+[[nodiscard]] std::vector<TracePoint> tracedBy(const Spectrogram& spectrogram, const TraceRule& rule,
+                                               double from_s = -std::numeric_limits<double>::infinity());
 
 /// Of one averaged spectrum. The section's mean takes velocities as falling from the axis to the wall: the fastest share of the power then
 /// comes from within a radius, by how much of it a slice with a Gaussian of power sees, r exp(-q) I0(q) with q = r^2 / 4 sigma^2; in a gate

@@ -43,6 +43,7 @@ class Spectrogram {
   void clear();
 
   [[nodiscard]] const MModeStrip& strip() const;
+  [[nodiscard]] const SpectrumSetting& setting() const;
   [[nodiscard]] int window() const;
   /// Of a spectrum: 2 window(); bin n is at the Doppler shift (n / bins - 1/2) prf, towards the probe positive.
   [[nodiscard]] int bins() const;

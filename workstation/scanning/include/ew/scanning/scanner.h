@@ -1,8 +1,10 @@
 #pragma once
 
+#include <complex>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ew/imaging/frame.h"
@@ -60,8 +62,9 @@ class Scanner {
   [[nodiscard]] ImageView<const std::uint8_t> strip() const { return maker_.strip(); }
   [[nodiscard]] int stripCursor() const { return maker_.stripCursor(); }
   [[nodiscard]] const MModeStrip& mMode() const { return maker_.mMode(); }
-  /// @see FrameMaker
+  /// Spectra of the sample volume, whose strip is strip(); null without one.
   [[nodiscard]] const Spectrogram* spectrogram() const { return maker_.spectrogram(); }
+  /// What the sample volume gave since the image before, a value for each pulse; empty without one.
   [[nodiscard]] std::span<const std::complex<float>> dopplerSamples() const { return maker_.dopplerSamples(); }
 
  private:

@@ -108,12 +108,14 @@ struct ScanSubject {
     if (!tissue || !motion) asked.motion.reset();
     return asked;
   }
-  /// Whether a colour box shows anything.
+  /// Whether a colour box shows anything, and there is a spectrum to be shown.
   [[nodiscard]] bool showsColour() const { return tissue && flow; }
   /// Whether images in such a scene change with the body. Motion is seen in live echoes alone.
   [[nodiscard]] bool movesIn(const Scene& asked) const { return tissue && motion && asked.liveEchoes && asked.motion; }
-  /// Whether images change with the time alone: the body moves in such a scene, or blood flows within a colour box.
-  [[nodiscard]] bool changesIn(const Scene& asked, const Knobs& knobs) const { return movesIn(asked) || (knobs.colour && showsColour()); }
+  /// Whether images show blood that flows: within a colour box or a sample volume.
+  [[nodiscard]] bool flowsIn(const Knobs& knobs) const { return (knobs.colour || knobs.mode == DisplayMode::spectrum) && showsColour(); }
+  /// Whether images change with the time alone: the body moves in such a scene, or blood flows.
+  [[nodiscard]] bool changesIn(const Scene& asked, const Knobs& knobs) const { return movesIn(asked) || flowsIn(knobs); }
 
   /// The same without what could not be shown of it whatever were found out (recordedTissueOf).
   [[nodiscard]] Scene possible(Scene asked) const {
