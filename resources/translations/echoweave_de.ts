@@ -7831,8 +7831,8 @@
         <translation>unter %1%2</translation>
     </message>
     <message>
-        <source>%1: %2, by %3.</source>
-        <translation>%1: %2, aufgrund von %3.</translation>
+        <source>%1: %2. Decisive: %3.</source>
+        <translation>%1: %2. Ausschlaggebend: %3.</translation>
     </message>
     <message>
         <source>%1 has no grade for these values.</source>

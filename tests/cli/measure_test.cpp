@@ -102,6 +102,16 @@ TEST_F(MeasureCommand, SaysWhatIsWrongWithTheLine) {
             "echoweave: RUQ is answered by one of seen, not_seen, not_adequate.\n");
 }
 
+TEST_F(MeasureCommand, TakesTheAngleOfAVelocity) {
+  const auto outcome = run({"measure", "--package", "vascular", "--value", "ICA_PSV/left=200cm/s@67deg", "--value", "CCA_PSV/left=80cm/s"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("200 ± 25 cm/s"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("ICA_PSV was read at 67 degrees; beyond 60 degrees"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("2.50 ± 0.31"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run({"measure", "--package", "vascular", "--value", "ICA_PSV/left=200cm/s@60"}).err,
+            "echoweave: --value ICA_PSV/left=200cm/s@60 has no angle behind its @; write it as in ICA_PSV/left=200cm/s@60deg.\n");
+}
+
 TEST_F(MeasureCommand, TakesSidesSelectionsAndPackagesOfOnesOwn) {
   const auto stenosis = run({"measure", "--package", "vessel", "--value", "D_MIN/left=1.5+-0.2mm", "--value", "D_DISTAL/left=5mm"});
   EXPECT_EQ(stenosis.status, 0) << stenosis.err;

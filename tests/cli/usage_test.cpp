@@ -21,7 +21,7 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* command : {"import", "screen", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure",
-                              "preset", "send", "records", "tracker", "plugins", "bench"})
+                              "criteria", "preset", "send", "records", "tracker", "plugins", "bench"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(help.err, "");
 }
@@ -48,6 +48,8 @@ TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
                                                        {"records", "launch"},
                                                        {"records", "settings"},
                                                        {"preset", "check"},
+                                                       {"measure"},
+                                                       {"criteria"},
                                                        {"send"},
                                                        {"plugins", "list"},
                                                        {"lesson", "list"},

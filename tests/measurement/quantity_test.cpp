@@ -46,6 +46,15 @@ TEST(Units, HaveTheirSymbolsAndOtherSpellings) {
   EXPECT_FALSE(unitOf("inch"));
 }
 
+TEST(Quantities, AreReadAsCommandsHaveThem) {
+  EXPECT_EQ(quantityOf("82mm"), (Quantity{82.0, 0.0, Unit::mm}));
+  EXPECT_EQ(quantityOf("8.2 +- 0.1 cm"), (Quantity{8.2, 0.1, Unit::cm}));
+  EXPECT_EQ(quantityOf("-10±2cm/s"), (Quantity{-10.0, 2.0, Unit::cmPerS}));
+  EXPECT_EQ(quantityOf("300cm/s2"), (Quantity{300.0, 0.0, Unit::cmPerS2}));
+  EXPECT_EQ(quantityOf("0.7"), (Quantity{0.7, 0.0, Unit::one}));
+  for (const char* wrong : {"", "mm", "82 inch", "82+-mm", "82+--1mm", "about 82mm", "nan"}) EXPECT_FALSE(quantityOf(wrong)) << wrong;
+}
+
 TEST(GestationalAge, IsReadAndWrittenAsClinicsDo) {
   EXPECT_DOUBLE_EQ(*gestationOf("32w1d"), 32.0 + 1.0 / 7.0);
   EXPECT_DOUBLE_EQ(*gestationOf("32+1"), 32.0 + 1.0 / 7.0);

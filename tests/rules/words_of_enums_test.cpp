@@ -147,7 +147,7 @@ TEST(WordsOfEnums, AreNotWhatIsLeftAfterTheLastQuestion) {
   const std::vector<Exception> exceptions = {
       {"workstation/registration/src/remark.cpp",
        "How long a sentence is, of two lengths; what it says is chosen by the code of the remark."},
-      {"workstation/measurement/src/worksheet.cpp", "Whether a figure has a unit at all."},
+      {"workstation/measurement/src/value_text.h", "Whether a figure has a unit at all."},
   };
   EXPECT_EQ(brokenBy(rule, exceptions, "a switch without a default, so that the compiler asks for the word of a new enumerator."), "");
 }

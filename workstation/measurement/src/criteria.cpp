@@ -7,17 +7,12 @@
 #include "ew/core/contract.h"
 #include "ew/core/find_entry.h"
 #include "ew/core/numbers.h"
+#include "value_text.h"
 
 namespace ew::measurement {
 namespace {
 
 enum class Truth { holds, fails, unknown };
-
-std::string choiceList(const CriteriaInput& input) {
-  std::string all;
-  for (const auto& [word, title] : input.choices) all += (all.empty() ? "" : ", ") + word;
-  return all;
-}
 
 /// 36.5 cm/s times 1.5, divided by 36.5 cm/s, is 1.5 but for its last digit.
 bool isAt(double value, double end) { return std::abs(value - end) <= 1e-9 * std::abs(end); }
@@ -71,7 +66,8 @@ class Grading {
   Result<void> takeOne(const CriteriaInput& input, const CriteriaValue& value) {
     if (!input.choices.empty()) {
       if (std::none_of(input.choices.begin(), input.choices.end(), [&](const auto& each) { return each.first == value.choice; }))
-        return failure(ErrorCode::badField, say<"%1 is answered by one of %2.">(input.name, choiceList(input)), {{"field", input.name}});
+        return failure(ErrorCode::badField, say<"%1 is answered by one of %2.">(input.name, choiceList(input.choices)),
+                       {{"field", input.name}});
       seen_[input.name] = value.choice;
       return {};
     }
@@ -144,6 +140,7 @@ class Grading {
     ConditionReading made;
     made.condition = condition;
     made.title = criteria_.titleOf(condition.of);
+    made.isAssumed = assumed_.contains(condition.of);
     if (const auto seen = seen_.find(condition.of); seen != seen_.end())
       made.seen = titleOfChoice(*criteria_.input(condition.of), seen->second);
     for (const std::string& word : condition.words) made.asked.push_back(titleOfChoice(*criteria_.input(condition.of), word));
@@ -162,13 +159,14 @@ class Grading {
     grade.title = found.title;
     for (const Condition& condition : way) grade.decided.push_back(readingOf(condition));
     for (const Condition& condition : found.expects)
-      if (truthOf(condition) == Truth::fails) grade.disagreements.push_back({readingOf(condition), spokenForBy(condition.of)});
+      if (truthOf(condition) == Truth::fails) grade.disagreements.push_back({readingOf(condition), spokenForBy(condition.of, found)});
   }
 
-  /// Titles of the grades that a parameter belongs to by itself.
-  [[nodiscard]] std::vector<Words> spokenForBy(const std::string& name) const {
+  /// Titles of the other grades that a parameter belongs to by itself.
+  [[nodiscard]] std::vector<Words> spokenForBy(const std::string& name, const CriteriaGrade& found) const {
     std::vector<Words> titles;
     for (const CriteriaGrade& each : criteria_.grades) {
+      if (each.word == found.word) continue;
       const auto speaks = [&](const Condition& condition) { return condition.of == name && truthOf(condition) == Truth::holds; };
       const bool byOthers = std::any_of(each.expects.begin(), each.expects.end(), speaks);
       const bool byWay =

@@ -9,26 +9,30 @@ namespace {
 
 using nlohmann::ordered_json;
 
-Message listed(const std::vector<Words>& all, std::string_view language) {
+Message titleList(const std::vector<Words>& all, std::string_view language) {
   std::vector<Message> parts;
   for (const Words& each : all) parts.push_back(verbatim(each.in(language)));
   return joined(std::move(parts), ", ");
 }
 
-Message nameOf(const Grade& grade, std::string_view language) { return criteriaName(grade.name, grade.year, language); }
+Message criteriaNameOf(const Grade& grade, std::string_view language) { return criteriaName(grade.name, grade.year, language); }
 
 Message valueText(const ConditionReading& reading, std::string_view language) {
   return reading.value ? quantityText(*reading.value) : verbatim(reading.seen.in(language));
 }
 
-/// "Peak systolic velocity 200 cm/s (125 to 230 cm/s)".
+/// "Peak systolic velocity 200 cm/s (125 to 230 cm/s)", "Plaque seen".
 Message basisText(const ConditionReading& reading, std::string_view language) {
-  return say<"%1 %2 (%3)">(reading.title.in(language), valueText(reading, language), conditionText(reading, language));
+  const std::string& title = reading.title.in(language);
+  if (!reading.value) return say<"%1 %2">(title, valueText(reading, language));
+  return say<"%1 %2 (%3)">(title, valueText(reading, language), conditionText(reading, language));
 }
 
+/// What was assumed has a sentence of its own.
 Message basesText(const std::vector<ConditionReading>& all, std::string_view language) {
   std::vector<Message> parts;
-  for (const ConditionReading& each : all) parts.push_back(basisText(each, language));
+  for (const ConditionReading& each : all)
+    if (!each.isAssumed) parts.push_back(basisText(each, language));
   return joined(std::move(parts), "; ");
 }
 
@@ -37,10 +41,10 @@ Message disagreementText(const Grade& grade, const Disagreement& each, std::stri
   if (each.speaksFor.empty())
     return say<"%1 %2 does not go with %3, which expects %4; %5 decides by %6.">(
         title, valueText(each.expected, language), grade.title.in(language), conditionText(each.expected, language),
-        nameOf(grade, language), listed(grade.primaries, language));
+        criteriaNameOf(grade, language), titleList(grade.primaries, language));
   return say<"%1 %2 speaks for %3, not for %4; %5 decides by %6.">(title, valueText(each.expected, language),
-                                                                   listed(each.speaksFor, language), grade.title.in(language),
-                                                                   nameOf(grade, language), listed(grade.primaries, language));
+                                                                   titleList(each.speaksFor, language), grade.title.in(language),
+                                                                   criteriaNameOf(grade, language), titleList(grade.primaries, language));
 }
 
 }  // namespace
@@ -51,7 +55,7 @@ Message criteriaName(const Words& name, int year, std::string_view language) {
 
 Message conditionText(const ConditionReading& reading, std::string_view language) {
   const Condition& condition = reading.condition;
-  if (!condition.words.empty()) return listed(reading.asked, language);
+  if (!condition.words.empty()) return titleList(reading.asked, language);
   const std::string unit = condition.unit == Unit::one ? "" : " " + std::string(symbolOf(condition.unit));
   // An end whose table goes by something unknown has no number.
   const auto end = [](const std::optional<double>& known) { return known ? numeral(textOf(*known)) : verbatim("?"); };
@@ -67,16 +71,16 @@ Message conditionText(const ConditionReading& reading, std::string_view language
 
 std::vector<Message> sentencesOf(const Grade& grade, std::string_view language) {
   std::vector<Message> all;
-  const Message name = nameOf(grade, language);
+  const Message name = criteriaNameOf(grade, language);
   if (!grade.word.empty()) {
-    all.push_back(say<"%1: %2, by %3.">(name, grade.title.in(language), basesText(grade.decided, language)));
+    all.push_back(say<"%1: %2. Decisive: %3.">(name, grade.title.in(language), basesText(grade.decided, language)));
   } else if (grade.missing.empty()) {
     all.push_back(say<"%1 has no grade for these values.">(name));
   } else {
     std::vector<Words> titles;
     for (const auto& [input, title] : grade.missing) titles.push_back(title);
     all.push_back(
-        say<"%1 gives no grade: missing is %2; possible are %3.">(name, listed(titles, language), listed(grade.possible, language)));
+        say<"%1 gives no grade: missing is %2; possible are %3.">(name, titleList(titles, language), titleList(grade.possible, language)));
   }
   for (const auto& [input, choice] : grade.assumed) all.push_back(say<"Assumed: %1, %2.">(input.in(language), choice.in(language)));
   for (const ConditionReading& each : grade.decided)
@@ -92,9 +96,9 @@ std::vector<Message> differencesOf(const std::vector<Grade>& grades, std::string
       const Grade &one = grades[a], &other = grades[b];
       if (one.vessel != other.vessel || one.word == other.word) continue;
       const auto told = [&](const Grade& grade) {
-        return grade.word.empty()
-                   ? say<"no grade by %1">(nameOf(grade, language))
-                   : say<"%1 by %2, from %3">(grade.title.in(language), nameOf(grade, language), basesText(grade.decided, language));
+        return grade.word.empty() ? say<"no grade by %1">(criteriaNameOf(grade, language))
+                                  : say<"%1 by %2, from %3">(grade.title.in(language), criteriaNameOf(grade, language),
+                                                             basesText(grade.decided, language));
       };
       all.push_back(say<"They differ: %1; %2.">(told(one), told(other)));
     }
@@ -110,6 +114,7 @@ ordered_json toJson(const Grade& grade, std::string_view language) {
     ordered_json one = {{"of", each.condition.of}, {"condition", conditionText(each, language).english()}};
     if (each.value) one.update(jsonOf(*each.value));
     if (!each.value) one["seen"] = each.seen.in(language);
+    if (each.isAssumed) one["assumed"] = true;
     if (each.isWithinUncertainty) one["within_uncertainty"] = true;
     made["decided"].push_back(std::move(one));
   }

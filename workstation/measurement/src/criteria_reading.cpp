@@ -9,32 +9,17 @@
 #include "ew/core/word_table.h"
 #include "ew/io/json_files.h"
 #include "ew/measurement/criteria.h"
+#include "reading_fields.h"
 
 namespace ew::measurement {
 namespace {
 
 using nlohmann::json;
 
-constexpr double kFarthestLimit = 1e9;
-constexpr std::size_t kMostOfCriteria = 50;
-constexpr std::size_t kLongestSource = 600;
+constexpr std::size_t kMostCriteriaEntries = 50;
 
 constexpr WordTable<CriteriaRole, 3> kRoles{
     {{"primary", CriteriaRole::primary}, {"additional", CriteriaRole::additional}, {"part", CriteriaRole::part}}};
-
-std::string nameIn(const JsonFields& fields, std::string_view key) {
-  std::string name = fields.text(key);
-  if (!isName(name)) fields.refuse(key, say<"a letter, then letters, digits and _">());
-  return name;
-}
-
-Unit unitIn(const JsonFields& fields) {
-  const auto unit = unitOf(fields.text("unit"));
-  if (!unit)
-    fields.refuse("unit",
-                  say<"a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, cm/s2, ml/min, mmHg, weeks or days">());
-  return unit.value_or(Unit::one);
-}
 
 /// Whether no value fulfils both. @param x of the input that tables go by
 bool exclude(const Condition& a, const Condition& b, double x) {
@@ -72,7 +57,7 @@ struct CriteriaReader {
       if (fields.has(other)) fields.refuse(other, say<"left out of a choice">());
     for (const JsonFields& choice : fields.objects("choices", 2, 20)) {
       choice.only({"word", "title"});
-      input.choices.emplace_back(nameIn(choice, "word"), wordsIn(choice, "title"));
+      input.choices.emplace_back(labelIn(choice, "word"), wordsIn(choice, "title"));
     }
     if (!fields.has("assumed")) return;
     input.assumed = fields.text("assumed");
@@ -81,10 +66,10 @@ struct CriteriaReader {
   }
 
   void readInputs(const JsonFields& fields) {
-    for (const JsonFields& each : fields.objects("inputs", 1, kMostOfCriteria)) {
+    for (const JsonFields& each : fields.objects("inputs", 1, kMostCriteriaEntries)) {
       CriteriaInput input;
       each.only({"name", "title", "role", "of", "unit", "valid", "choices", "assumed"});
-      input.name = nameIn(each, "name");
+      input.name = labelIn(each, "name");
       if (knows(input.name)) each.refuse("name", say<"a name that no other entry has">());
       input.title = wordsIn(each, "title");
       input.role = each.word("role", kRoles);
@@ -93,43 +78,22 @@ struct CriteriaReader {
         readChoices(each, input);
       } else {
         if (each.has("assumed")) each.refuse("assumed", say<"left out of a value">());
-        input.unit = unitIn(each);
-        const Message expected = say<"two rising numbers, the smallest and the largest value">();
-        const auto both = each.numbers("valid", 2, 2, -kFarthestLimit, kFarthestLimit, true, expected);
-        if (both.size() == 2 && !(both[0] < both[1])) each.refuse("valid", expected);
-        if (both.size() == 2) input.valid = {both[0], both[1]};
+        input.unit = unitIn(each, "unit");
+        input.valid = limitsIn(each, "valid");
       }
       criteria.inputs.push_back(std::move(input));
     }
   }
 
-  static void readFormulaTests(const JsonFields& fields, CriteriaFormula& formula) {
-    for (const JsonFields& each : fields.objects("tests", 1, kMostOfCriteria)) {
-      each.only({"inputs", "result", "digits"});
-      const JsonFields inputs = each.object("inputs");
-      inputs.only(formula.expression.inputs());
-      TestVector test;
-      for (const std::string& name : formula.expression.inputs())
-        test.inputs.push_back(inputs.number(name, -kFarthestLimit, kFarthestLimit));
-      test.result = each.number("result", -kFarthestLimit, kFarthestLimit);
-      test.digits = static_cast<int>(each.whole("digits", 0, 9));
-      if (!each.good()) return;
-      const double found = formula.expression.evaluate(test.inputs);
-      if (!(std::abs(found - test.result) <= 0.5000001 * std::pow(10.0, -test.digits)))
-        each.refuse("result", say<"%1, which the expression gives; correct the one that is wrong">(textOf(found)));
-      formula.tests.push_back(std::move(test));
-    }
-  }
-
   void readFormulas(const JsonFields& fields) {
-    for (const JsonFields& each : fields.objects("formulas", 0, kMostOfCriteria)) {
+    for (const JsonFields& each : fields.objects("formulas", 0, kMostCriteriaEntries)) {
       CriteriaFormula formula;
       each.only({"name", "title", "role", "expression", "inputs", "unit", "tests"});
-      formula.name = nameIn(each, "name");
+      formula.name = labelIn(each, "name");
       if (knows(formula.name)) each.refuse("name", say<"a name that no other entry has">());
       formula.title = wordsIn(each, "title");
       formula.role = each.word("role", kRoles);
-      formula.unit = unitIn(each);
+      formula.unit = unitIn(each, "unit");
       std::vector<std::string> inputs = each.texts("inputs", 1, 12);
       for (const std::string& name : inputs)
         if (criteria.input(name) == nullptr || isSeen(name)) each.refuse("inputs", say<"names of inputs with a unit">());
@@ -141,7 +105,7 @@ struct CriteriaReader {
         return;
       }
       formula.expression = std::move(*expression);
-      readFormulaTests(each, formula);
+      readTestVectors(each, formula.expression, formula.tests);
       criteria.formulas.push_back(std::move(formula));
     }
   }
@@ -154,15 +118,14 @@ struct CriteriaReader {
     const CriteriaInput* by = criteria.input(limit.by);
     if (by == nullptr || !by->choices.empty()) object.refuse("by", say<"the name of an input with a unit">());
     const Message expected = say<"pairs of rising numbers of the input with their limits, over all its valid values">();
-    for (const json& row : object.list("table", 2, kMostOfCriteria, expected)) {
-      const bool isPair = row.is_array() && row.size() == 2 && numberWithin(row[0], -kFarthestLimit, kFarthestLimit) &&
-                          numberWithin(row[1], -kFarthestLimit, kFarthestLimit);
-      if (!isPair || (!limit.table.empty() && !(*numberWithin(row[0], -kFarthestLimit, kFarthestLimit) > limit.table.back().first))) {
+    for (const json& row : object.list("table", 2, kMostCriteriaEntries, expected)) {
+      const bool isPair =
+          row.is_array() && row.size() == 2 && numberWithin(row[0], -kFarthest, kFarthest) && numberWithin(row[1], -kFarthest, kFarthest);
+      if (!isPair || (!limit.table.empty() && !(*numberWithin(row[0], -kFarthest, kFarthest) > limit.table.back().first))) {
         object.refuse("table", expected);
         return limit;
       }
-      limit.table.emplace_back(*numberWithin(row[0], -kFarthestLimit, kFarthestLimit),
-                               *numberWithin(row[1], -kFarthestLimit, kFarthestLimit));
+      limit.table.emplace_back(*numberWithin(row[0], -kFarthest, kFarthest), *numberWithin(row[1], -kFarthest, kFarthest));
     }
     if (object.good() && (by->valid.low < limit.table.front().first || by->valid.high > limit.table.back().first))
       object.refuse("table", expected);
@@ -177,7 +140,7 @@ struct CriteriaReader {
     const json* value = fields.find(key);
     if (value == nullptr) return std::nullopt;
     if (value->is_object()) return tableIn(fields, key);
-    return CriteriaLimit{fields.number(key, -kFarthestLimit, kFarthestLimit), {}, {}};
+    return CriteriaLimit{fields.number(key, -kFarthest, kFarthest), {}, {}};
   }
 
   Condition conditionIn(const JsonFields& fields) const {
@@ -197,7 +160,7 @@ struct CriteriaReader {
       return made;
     }
     if (fields.has("is")) fields.refuse("is", say<"left out, since %1 is measured">(made.of));
-    made.unit = unitIn(fields);
+    made.unit = unitIn(fields, "unit");
     if (fields.good() && made.unit != unitOfName(made.of)) fields.refuse("unit", say<"the unit of %1">(made.of));
     made.low = endIn(fields, "from", "above", made.holdsLow);
     made.high = endIn(fields, "to", "below", made.holdsHigh);
@@ -209,7 +172,7 @@ struct CriteriaReader {
 
   std::vector<Condition> conditionsIn(const JsonFields& fields, std::string_view key, std::size_t atLeast, bool decides) const {
     std::vector<Condition> made;
-    for (const JsonFields& each : fields.objects(key, atLeast, kMostOfCriteria)) {
+    for (const JsonFields& each : fields.objects(key, atLeast, kMostCriteriaEntries)) {
       made.push_back(conditionIn(each));
       if (!each.good()) return made;
       const CriteriaRole role = roleOf(made.back().of);
@@ -220,10 +183,10 @@ struct CriteriaReader {
   }
 
   void readGrades(const JsonFields& fields) {
-    for (const JsonFields& each : fields.objects("grades", 2, kMostOfCriteria)) {
+    for (const JsonFields& each : fields.objects("grades", 2, kMostCriteriaEntries)) {
       CriteriaGrade grade;
       each.only({"word", "title", "when", "expects"});
-      grade.word = nameIn(each, "word");
+      grade.word = labelIn(each, "word");
       if (entryWith(criteria.grades, &CriteriaGrade::word, grade.word) != nullptr)
         each.refuse("word", say<"a word that no other grade has">());
       grade.title = wordsIn(each, "title");
@@ -231,7 +194,7 @@ struct CriteriaReader {
       when.only({"all", "any"});
       if (when.has("all") == when.has("any")) each.refuse("when", say<"an object with either \"all\" or \"any\"">());
       if (when.has("all")) grade.when.push_back(conditionsIn(when, "all", 1, true));
-      for (const JsonFields& way : when.objects("any", when.has("any") ? 1 : 0, kMostOfCriteria)) {
+      for (const JsonFields& way : when.objects("any", when.has("any") ? 1 : 0, kMostCriteriaEntries)) {
         way.only({"all"});
         grade.when.push_back(conditionsIn(way, "all", 1, true));
       }
@@ -275,7 +238,7 @@ struct CriteriaReader {
         names.push_back(input.name);
         if (!values.has(input.name)) continue;
         if (input.choices.empty())
-          test.values[input.name].quantity = {values.number(input.name, -kFarthestLimit, kFarthestLimit), 0.0, input.unit};
+          test.values[input.name].quantity = {values.number(input.name, -kFarthest, kFarthest), 0.0, input.unit};
         else
           test.values[input.name].choice = values.text(input.name);
       }
@@ -309,10 +272,10 @@ Result<Criteria> criteriaFromJson(const json& document, const std::string& id, c
   reader.criteria.version = static_cast<int>(fields.whole("version", 1, 1000000));
   reader.criteria.name = wordsIn(fields, "name");
   reader.criteria.year = static_cast<int>(fields.whole("year", 1950, 2100, 0));
-  reader.criteria.vessel = nameIn(fields, "vessel");
+  reader.criteria.vessel = labelIn(fields, "vessel");
   reader.criteria.vesselTitle = wordsIn(fields, "vessel_title");
-  reader.criteria.source = fields.text("source", {}, 1, kLongestSource);
-  reader.criteria.status = fields.text("status", {}, 1, kLongestSource);
+  reader.criteria.source = fields.text("source", {}, 1, kLongestText);
+  reader.criteria.status = fields.text("status", {}, 1, kLongestText);
   reader.readInputs(fields);
   reader.readFormulas(fields);
   if (reading.good()) reader.readGrades(fields);

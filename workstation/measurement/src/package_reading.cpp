@@ -7,15 +7,14 @@
 #include "ew/core/numbers.h"
 #include "ew/core/word_table.h"
 #include "ew/measurement/package.h"
+#include "reading_fields.h"
 
 namespace ew::measurement {
 namespace {
 
 using nlohmann::json;
 
-constexpr double kFarthest = 1e9;
 constexpr std::size_t kMostEntries = 200;
-constexpr std::size_t kLongestText = 600;
 
 constexpr WordTable<ItemMeasure, 12> kMeasures{{{"distance", ItemMeasure::distance},
                                                 {"circumference", ItemMeasure::circumference},
@@ -32,30 +31,8 @@ constexpr WordTable<ItemMeasure, 12> kMeasures{{{"distance", ItemMeasure::distan
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSides{{{"right", "right"}, {"left", "left"}}};
 
-std::string labelIn(const JsonFields& fields, std::string_view key) {
-  std::string label = fields.text(key);
-  if (!isName(label)) fields.refuse(key, say<"a letter, then letters, digits and _">());
-  return label;
-}
-
 std::string longText(const JsonFields& fields, std::string_view key, std::optional<std::string> fallback = {}) {
   return fields.text(key, std::move(fallback), 1, kLongestText);
-}
-
-Unit unitIn(const JsonFields& fields, std::string_view key) {
-  const auto unit = unitOf(fields.text(key));
-  if (!unit)
-    fields.refuse(key,
-                  say<"a unit: 1, %, mm, cm, mm2, cm2, ml, g, kg, deg, s, ms, /min, mm/s, cm/s, cm/s2, ml/min, mmHg, weeks or days">());
-  return unit.value_or(Unit::one);
-}
-
-Limits limitsIn(const JsonFields& fields, std::string_view key) {
-  const Message expected = say<"two rising numbers, the smallest and the largest value">();
-  const auto both = fields.numbers(key, 2, 2, -kFarthest, kFarthest, true, expected);
-  if (both.size() != 2) return {};
-  if (!(both[0] < both[1])) fields.refuse(key, expected);
-  return {both[0], both[1]};
 }
 
 Expression expressionIn(const JsonFields& fields, std::string_view key, std::vector<std::string> inputs) {
@@ -152,28 +129,6 @@ struct PackageReader {
     return made;
   }
 
-  static void readTests(const JsonFields& fields, PackageFormula& formula) {
-    for (const JsonFields& each : fields.objects("tests", 1, kMostEntries)) {
-      each.only({"inputs", "result", "digits"});
-      const JsonFields inputs = each.object("inputs");
-      TestVector test;
-      std::vector<std::string> names;
-      for (const FormulaInput& input : formula.inputs) {
-        test.inputs.push_back(inputs.number(input.name, -kFarthest, kFarthest));
-        names.push_back(input.name);
-      }
-      inputs.only(names);
-      test.result = each.number("result", -kFarthest, kFarthest);
-      test.digits = static_cast<int>(each.whole("digits", 0, 9));
-      if (!each.good()) return;
-      const double found = formula.expression.evaluate(test.inputs);
-      // A hair more than half of the last digit: the printed number may have been rounded from a number just beside the middle.
-      if (!(std::abs(found - test.result) <= 0.5000001 * std::pow(10.0, -test.digits)))
-        each.refuse("result", say<"%1, which the expression gives; correct the one that is wrong">(textOf(found)));
-      formula.tests.push_back(std::move(test));
-    }
-  }
-
   void readFormulas(const JsonFields& fields) {
     for (const JsonFields& each : fields.objects("formulas", 0, kMostEntries)) {
       PackageFormula formula;
@@ -198,7 +153,7 @@ struct PackageReader {
         if (item == nullptr || item->measure == ItemMeasure::choice || !areComparable(item->unit, formula.unit))
           each.refuse("provides", say<"the label of an item whose unit the result can be converted to">());
       }
-      readTests(each, formula);
+      readTestVectors(each, formula.expression, formula.tests);
       if (!each.good()) return;
       package.formulas.push_back(std::move(formula));
     }

@@ -106,6 +106,41 @@ std::string shown(const Quantity& quantity) {
 
 std::ostream& operator<<(std::ostream& out, const Quantity& quantity) { return out << shown(quantity); }
 
+std::optional<Quantity> quantityOf(std::string_view text) {
+  // Digits and signs are ASCII, so the number ends where none follows.
+  const auto takeNumber = [&text]() -> std::optional<double> {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    std::size_t end = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
+    end = std::min(end, text.find("+-"));
+    while (end > 0) {  // the e of a unit is none of a number
+      if (const auto value = parseNumber(text.substr(0, end))) {
+        text.remove_prefix(end);
+        text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+        return value;
+      }
+      --end;
+    }
+    return std::nullopt;
+  };
+  Quantity quantity;
+  const auto value = takeNumber();
+  if (!value) return std::nullopt;
+  quantity.value = *value;
+  for (const std::string_view sign : {"+-", "±"})
+    if (text.starts_with(sign)) {
+      text.remove_prefix(sign.size());
+      const auto uncertainty = takeNumber();
+      if (!uncertainty || !(*uncertainty >= 0.0)) return std::nullopt;
+      quantity.uncertainty = *uncertainty;
+      break;
+    }
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  const auto unit = unitOf(text);
+  if (!unit) return std::nullopt;
+  quantity.unit = *unit;
+  return quantity;
+}
+
 std::optional<double> gestationOf(std::string_view text) {
   constexpr double kLongest_weeks = 45.0;
   if (const auto plus = text.find('+'); plus != std::string_view::npos) {  // "32+1", as in most of Europe
@@ -135,9 +170,6 @@ std::string gestationText(double weeks) {
   const long long days = std::llround(weeks * 7.0);
   return std::to_string(days / 7) + "w" + std::to_string(days % 7) + "d";
 }
-
-Message inUnit(const Message& number, Unit unit) { return unit == Unit::one ? number : say<"%1 %2">(number, std::string(symbolOf(unit))); }
-Message inUnit(double value, Unit unit) { return inUnit(numeral(textOf(value)), unit); }
 
 Message quantityText(const Quantity& quantity) {
   if (quantity.unit == Unit::weeks) {

@@ -7,6 +7,7 @@
 
 #include "ew/core/figures.h"
 #include "ew/core/numbers.h"
+#include "value_text.h"
 
 namespace ew::measurement {
 namespace {
@@ -29,12 +30,6 @@ double totalOf(const std::map<std::string, double>& contributions) {
 std::string labelList(const Package& package) {
   std::string all;
   for (const PackageItem& item : package.items) all += (all.empty() ? "" : ", ") + item.label;
-  return all;
-}
-
-std::string choiceList(const PackageItem& item) {
-  std::string all;
-  for (const auto& [word, title] : item.choices) all += (all.empty() ? "" : ", ") + word;
   return all;
 }
 
@@ -110,7 +105,7 @@ class Filling {
     if (item->measure == ItemMeasure::choice) {
       const bool isWord =
           std::any_of(item->choices.begin(), item->choices.end(), [&](const auto& each) { return each.first == entry.choice; });
-      if (!isWord) return failure(ErrorCode::badUsage, say<"%1 is answered by one of %2.">(entry.label, choiceList(*item)));
+      if (!isWord) return failure(ErrorCode::badUsage, say<"%1 is answered by one of %2.">(entry.label, choiceList(item->choices)));
       entries_[{entry.label, entry.side}].push_back(&entry);
       return {};
     }
@@ -268,9 +263,16 @@ class Filling {
     }
     Known made{{result, 0.0, formula.unit}, {}, formula.label};
     const auto slopes = formula.expression.derivatives(values);
+    std::map<std::string, double> sizes;
     for (std::size_t n = 0; n < inputs.size(); ++n)
-      for (const auto& [name, part] : inputs[n]->contributions)
-        made.contributions[name] += slopes[n] * converted(part, inputs[n]->value.unit, formula.inputs[n].unit);
+      for (const auto& [name, part] : inputs[n]->contributions) {
+        const double share = slopes[n] * converted(part, inputs[n]->value.unit, formula.inputs[n].unit);
+        made.contributions[name] += share;
+        sizes[name] += std::abs(share);
+      }
+    // Shares that cancel, of the angle in an index, leave what differences of the slopes are wrong by.
+    for (auto& [name, part] : made.contributions)
+      if (std::abs(part) < 1e-7 * sizes[name]) part = 0.0;
     made.value.uncertainty = totalOf(made.contributions);
     row.value = made.value;
     row.predictionError = formula.error.of(result);

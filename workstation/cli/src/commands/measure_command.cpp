@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <ostream>
 
 #include "ew/core/ending.h"
@@ -88,43 +89,7 @@ Result<Package> packageNamed(const std::string& name, Run& run) {
   return readPackage(file);
 }
 
-/// "82mm", "8.2 +- 0.1 cm": a number, perhaps its uncertainty, and a unit. Digits and signs are ASCII, so the number ends where none
-/// follows.
-std::optional<Quantity> quantityIn(std::string_view text) {
-  const auto takeNumber = [&text]() -> std::optional<double> {
-    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-    std::size_t end = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
-    end = std::min(end, text.find("+-"));
-    while (end > 0) {  // the e of a unit is none of a number
-      if (const auto value = parseNumber(text.substr(0, end))) {
-        text.remove_prefix(end);
-        text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-        return value;
-      }
-      --end;
-    }
-    return std::nullopt;
-  };
-  Quantity quantity;
-  const auto value = takeNumber();
-  if (!value) return std::nullopt;
-  quantity.value = *value;
-  for (const std::string_view sign : {"+-", "±"})
-    if (text.starts_with(sign)) {
-      text.remove_prefix(sign.size());
-      const auto uncertainty = takeNumber();
-      if (!uncertainty || !(*uncertainty >= 0.0)) return std::nullopt;
-      quantity.uncertainty = *uncertainty;
-      break;
-    }
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  const auto unit = unitOf(text);
-  if (!unit) return std::nullopt;
-  quantity.unit = *unit;
-  return quantity;
-}
-
-/// "BPD=82mm", "KIDNEY_L/right=10.4 cm", "RUQ=seen", "*BPD=82mm".
+/// "BPD=82mm", "KIDNEY_L/right=10.4 cm", "ICA_PSV/left=200cm/s@60deg", "RUQ=seen", "*BPD=82mm".
 Result<WorksheetEntry> entryIn(const std::string& text, const Package& package) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
@@ -139,13 +104,20 @@ Result<WorksheetEntry> entryIn(const std::string& text, const Package& package) 
     entry.side = entry.label.substr(slash + 1);
     entry.label.erase(slash);
   }
-  const std::string value = text.substr(equals + 1);
+  std::string value = text.substr(equals + 1);
   const PackageItem* item = package.item(entry.label);
   if (item != nullptr && item->measure == ItemMeasure::choice) {
     entry.choice = value;
     return entry;
   }
-  const auto quantity = quantityIn(value);
+  if (const auto at = value.find('@'); at != std::string::npos) {
+    const auto angle = quantityOf(std::string_view(value).substr(at + 1));
+    if (!angle || angle->unit != Unit::degree)
+      return failure(ErrorCode::badUsage, say<"--value %1 has no angle behind its @; write it as in ICA_PSV/left=200cm/s@60deg.">(text));
+    entry.angle_rad = angle->value * std::numbers::pi / 180.0;
+    value.erase(at);
+  }
+  const auto quantity = quantityOf(value);
   if (!quantity)
     return failure(ErrorCode::badUsage, say<"--value %1 is not a number with its unit; write it as in BPD=82mm or BPD=82+-0.8mm.">(text));
   if (item != nullptr && quantity->unit == Unit::one && item->unit != Unit::one)
@@ -289,6 +261,7 @@ void addMeasure(CLI::App& root, Selection& selection) {
                  {"measure --packages",
                   "measure --package obstetric --value BPD=82mm --value HC=300mm --value AC=280mm --value FL=62mm --gestation 32w1d",
                   "measure --package vessel --value D_MIN/left=1.5+-0.2mm --value D_DISTAL/left=5mm --json left.json",
+                  "measure --package vascular --value ICA_PSV/left=200cm/s@60deg --value CCA_PSV/left=80cm/s@60deg",
                   "measure --package trauma --value RUQ=seen --value LUQ=not_seen --csv fast.csv",
                   "measure --package obstetric --value BPD=82mm --value HC=300mm --dicom report.dcm --patient fetal-biometry"},
                  [arguments](Run& run) { return arguments->wantsPackages ? listPackages(*arguments, run) : fillSheet(*arguments, run); });
@@ -299,7 +272,9 @@ void addMeasure(CLI::App& root, Selection& selection) {
   app.add_option(
          "--value", arguments->values,
          "A measurement or an answer, as often as there are: BPD=82mm, BPD=82+-0.8mm with its standard uncertainty, KIDNEY_L/right=10.4cm "
-         "of a side, RUQ=seen; *BPD=82mm is the one that counts with --several selected")
+         "of a side, ICA_PSV/left=200cm/s@60deg with the angle a velocity was corrected by (3 degrees uncertain), RUQ=seen; *BPD=82mm is "
+         "the one "
+         "that counts with --several selected")
       ->type_name("LABEL[/SIDE]=VALUE")
       ->allow_extra_args(false);
   app.add_option("--gestation", arguments->gestation, "Gestational age by dates, for charts and redating: 32w1d or 32+1")

@@ -11,10 +11,10 @@ namespace ew::cli {
 namespace {
 
 /// Commands that show no answer and nobody's attempt: they work on files that their user names, or say what is there.
-constexpr std::array<std::string_view, 22> kForAnybody = {
-    "import",        "screen",       "reconstruct",   "register",      "slice",        "level",        "scan",        "measure",
-    "send",          "plugins list", "preset list",   "preset check",  "case import",  "case verify",  "lesson list", "key show",
-    "access status", "access lock",  "access unlock", "tracker print", "tracker list", "tracker check"};
+constexpr std::array<std::string_view, 23> kForAnybody = {
+    "import",   "screen",        "reconstruct",  "register",      "slice",         "level",        "scan",         "measure",
+    "criteria", "send",          "plugins list", "preset list",   "preset check",  "case import",  "case verify",  "lesson list",
+    "key show", "access status", "access lock",  "access unlock", "tracker print", "tracker list", "tracker check"};
 
 constexpr std::array<std::pair<std::string_view, Permission>, 14> kNeeds = {{{"case card", Permission::editCases},
                                                                              {"case export", Permission::exportCases},

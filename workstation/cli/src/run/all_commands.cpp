@@ -34,6 +34,7 @@ void addAllCommands(CLI::App& root, Selection& selection) {
   addKey(root, selection);
   addAccess(root, selection);
   addMeasure(root, selection);
+  addCriteria(root, selection);
   addPreset(root, selection);
   addSend(root, selection);
   addRecords(root, selection);

@@ -117,6 +117,7 @@ void addReplay(CLI::App& root, Selection& selection);
 void addSend(CLI::App& root, Selection& selection);
 void addPhantom(CLI::App& root, Selection& selection);
 void addCase(CLI::App& root, Selection& selection);
+void addCriteria(CLI::App& root, Selection& selection);
 void addLesson(CLI::App& root, Selection& selection);
 void addAssess(CLI::App& root, Selection& selection);
 void addKey(CLI::App& root, Selection& selection);

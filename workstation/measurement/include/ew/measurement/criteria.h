@@ -131,6 +131,7 @@ struct ConditionReading {
   Words seen;                        ///< of what was seen
   std::vector<Words> asked;          ///< titles of the condition's words
   std::optional<double> low, high;   ///< the ends for these values
+  bool isAssumed = false;            ///< nobody said what was seen
   bool isWithinUncertainty = false;  ///< of an end: the condition might as well be decided the other way
   bool operator==(const ConditionReading&) const = default;
 };
@@ -138,7 +139,7 @@ struct ConditionReading {
 /// A parameter that does not fit the grade.
 struct Disagreement {
   ConditionReading expected;
-  std::vector<Words> speaksFor;  ///< titles of the grades that its value belongs to; may be empty
+  std::vector<Words> speaksFor;  ///< titles of the other grades that its value belongs to; may be empty
   bool operator==(const Disagreement&) const = default;
 };
 

@@ -60,15 +60,15 @@ std::ostream& operator<<(std::ostream& out, const Quantity& quantity);  ///< sho
 /// The value alone, as shown() writes it.
 [[nodiscard]] std::string shownValue(const Quantity& quantity);
 
+/// A number, perhaps its uncertainty, and a unit: "82mm", "8.2 +- 0.1 cm", "200±10cm/s"; without a unit a plain ratio. Empty when it is
+/// anything else.
+[[nodiscard]] std::optional<Quantity> quantityOf(std::string_view text);
+
 /// A gestational age as a clinic writes it, "32w1d", "32+1", "32w" or "32.5w"; in weeks. Empty when it is anything else or not from 0 to 45
 /// weeks.
 [[nodiscard]] std::optional<double> gestationOf(std::string_view text);
 /// "32w1d": to the nearest day. @param weeks >= 0
 [[nodiscard]] std::string gestationText(double weeks);
-
-/// A number with its unit's symbol; a plain ratio alone.
-[[nodiscard]] Message inUnit(const Message& number, Unit unit);
-[[nodiscard]] Message inUnit(double value, Unit unit);  ///< with as many decimals as it has
 
 /// As people read it: "82.0 ± 0.9 mm", areas in "cm²", angles in "°", gestational ages (weeks, >= 0) as "32w1d ± 5 d".
 [[nodiscard]] Message quantityText(const Quantity& quantity);
