@@ -20,8 +20,8 @@ TEST(Usage, VersionAndHelpGoToTheOutputAndSucceed) {
   EXPECT_EQ(version.out, std::string("echoweave ") + kVersion + "\n");
   const auto help = run({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"import", "screen", "reconstruct", "register", "slice", "level", "scan", "phantom", "case", "measure",
-                              "criteria", "preset", "send", "records", "tracker", "plugins", "bench"})
+  for (const char* command : {"import", "screen", "reconstruct", "register", "slice", "level", "surfaces", "scan", "phantom", "case",
+                              "measure", "criteria", "preset", "send", "records", "tracker", "plugins", "bench"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(help.err, "");
 }
@@ -31,6 +31,7 @@ TEST(Usage, EveryCommandExplainsItselfWithAnExampleAndTheSharedOptions) {
                                                        {"reconstruct"},
                                                        {"register"},
                                                        {"slice"},
+                                                       {"surfaces"},
                                                        {"scan"},
                                                        {"phantom"},
                                                        {"case", "list"},

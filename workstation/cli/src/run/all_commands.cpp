@@ -25,6 +25,7 @@ void addAllCommands(CLI::App& root, Selection& selection) {
   addRegister(root, selection);
   addSlice(root, selection);
   addLevel(root, selection);
+  addSurfaces(root, selection);
   addScan(root, selection);
   addReplay(root, selection);
   addPhantom(root, selection);

@@ -111,6 +111,7 @@ void addRegister(CLI::App& root, Selection& selection);
 void addLevel(CLI::App& root, Selection& selection);
 void addMeasure(CLI::App& root, Selection& selection);
 void addSlice(CLI::App& root, Selection& selection);
+void addSurfaces(CLI::App& root, Selection& selection);
 void addScan(CLI::App& root, Selection& selection);
 void addScreen(CLI::App& root, Selection& selection);
 void addReplay(CLI::App& root, Selection& selection);

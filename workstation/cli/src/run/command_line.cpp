@@ -27,8 +27,9 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 it could not be done, 2 wrong usage, 3 done with the answer 'no' or 'cannot tell'.";
 
 std::vector<std::string> builtInNames() {
-  return {"import", "screen", "reconstruct", "register", "slice",    "level",  "scan", "replay",  "phantom", "case",    "lesson",
-          "assess", "key",    "access",      "measure",  "criteria", "preset", "send", "records", "tracker", "plugins", kBench};
+  return {"import",   "screen",  "reconstruct", "register", "slice",   "level",   "surfaces", "scan",
+          "replay",   "phantom", "case",        "lesson",   "assess",  "key",     "access",   "measure",
+          "criteria", "preset",  "send",        "records",  "tracker", "plugins", kBench};
 }
 
 /// What CLI11 did not expect, in the order it was given: CLI11 lists it from the back.
