@@ -223,9 +223,11 @@ const CriteriaInput* Criteria::input(std::string_view wanted) const { return ent
 const CriteriaFormula* Criteria::formula(std::string_view wanted) const { return entryWith(formulas, &CriteriaFormula::name, wanted); }
 
 const Words& Criteria::titleOf(std::string_view of) const {
-  const CriteriaInput* found = input(of);
-  EW_EXPECTS(found != nullptr || formula(of) != nullptr);
-  return found != nullptr ? found->title : formula(of)->title;
+  static const Words kNothing;
+  if (const CriteriaInput* found = input(of)) return found->title;
+  const CriteriaFormula* found = formula(of);
+  EW_EXPECTS(found != nullptr);
+  return found == nullptr ? kNothing : found->title;
 }
 
 Result<Grade> gradeOf(const Criteria& criteria, const CriteriaValues& values) {

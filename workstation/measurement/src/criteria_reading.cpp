@@ -101,7 +101,7 @@ struct CriteriaReader {
       if (!each.good()) return;
       auto expression = Expression::of(text, std::move(inputs));
       if (!expression) {
-        each.refuse("expression", verbatim('"' + text + '"'), std::move(expression.error().message));
+        each.refuse("expression", verbatim('"' + text + '"'), expression.error().message);
         return;
       }
       formula.expression = std::move(*expression);
