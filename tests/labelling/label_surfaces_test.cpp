@@ -7,6 +7,7 @@
 #include <random>
 
 #include "counted_stop.h"
+#include "ew/core/simd.h"
 #include "labelling/mesh_checks.h"
 #include "labelling/support.h"
 #include "memory_in_use.h"
@@ -205,6 +206,21 @@ TEST(LabelSurfaces, AreTheSameOnEveryNumberOfThreads) {
   const Volume labels = organs();
   const LabelSurfaces one = surfacesOf(labels, {.threads = 1});
   for (const int threads : {2, 3, 7}) EXPECT_EQ(surfacesOf(labels, {.threads = threads}), one);
+}
+
+TEST(LabelSurfaces, AreTheSameOnEveryInstructionSet) {
+  // Rows from shorter than a vector to longer than several words.
+  for (const int width : {1, 2, 9, 17, 40, 64, 65, 66, 129, 200}) {
+    const Volume labels = randomLabels({width, 3, 4}, 1, static_cast<unsigned>(width));
+    ASSERT_TRUE(useSimd("scalar"));
+    const LabelSurfaces plain = surfacesOf(labels);
+    for (const char* word : {"sse4", "avx2", "avx3"}) {
+      if (!useSimd(word)) continue;  // not on this processor
+      EXPECT_EQ(surfacesOf(labels), plain) << word << " " << width;
+    }
+    ASSERT_TRUE(useSimd("best"));
+    EXPECT_EQ(surfacesOf(labels), plain) << width;
+  }
 }
 
 TEST(LabelSurfaces, LieTheSameInEveryGrid) {

@@ -17,10 +17,10 @@ constexpr double kShortestWave = 4.0, kLongestWave = 32.0;
 
 std::int64_t sumOf(const std::vector<std::int32_t>& counts) { return std::accumulate(counts.begin(), counts.end(), std::int64_t{0}); }
 
-/// Of the net with what its smoothing needs and of the surfaces: two triangles for a point where they are not crumpled; twice that is
+/// Of the net with its second offsets and of the surfaces: two triangles for a point where they are not crumpled; twice that is
 /// counted.
 std::uint64_t bytesFor(std::int64_t points, std::size_t rows) {
-  constexpr std::uint64_t kNet = 4 + 8 + 16 + 1 + 3 * sizeof(CellOffset);
+  constexpr std::uint64_t kNet = 4 + 8 + 16 + 1 + 2 * sizeof(CellOffset);
   constexpr std::uint64_t kSurface = sizeof(glm::vec3) + 4 * (sizeof(glm::ivec3) + sizeof(LabelSides));
   return static_cast<std::uint64_t>(points) * (kNet + kSurface) + 4 * rows;
 }

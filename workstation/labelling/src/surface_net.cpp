@@ -2,10 +2,11 @@
 
 #include <bit>
 #include <bitset>
-#include <cstring>
+#include <utility>
 
 #include "ew/core/large_pages.h"
 #include "ew/core/parallel.h"
+#include "mixed_cells.h"
 
 namespace ew::labelling {
 namespace {
@@ -14,35 +15,24 @@ namespace {
 class MixedCells {
  public:
   explicit MixedCells(const LabelRows& rows)
-      : rows_(rows), voxels_(static_cast<std::size_t>(rows.grid().dims.x)), uneven_(voxels_), mixed_((voxels_ + 1 + 7) / 8 * 8) {}
+      : rows_(rows), voxels_(rows.grid().dims.x), bits_((static_cast<std::size_t>(voxels_) + 62) / 64) {}
 
   /// Calls visit(i) for each of the row (j, k), ascending.
   template <class Visit>
   void visit(int j, int k, const Visit& visit) {
-    find(rows_.at(j - 1, k - 1), rows_.at(j, k - 1), rows_.at(j - 1, k), rows_.at(j, k));
-    static_assert(std::endian::native == std::endian::little);
-    for (std::size_t first = 0; first < mixed_.size(); first += 8) {
-      std::uint64_t eight;
-      std::memcpy(&eight, mixed_.data() + first, sizeof(eight));
-      for (; eight != 0; eight &= ~(std::uint64_t{255} << (std::countr_zero(eight) / 8 * 8)))
-        visit(static_cast<int>(first) + std::countr_zero(eight) / 8);
-    }
+    const std::uint8_t* const rows[4] = {rows_.at(j - 1, k - 1), rows_.at(j, k - 1), rows_.at(j - 1, k), rows_.at(j, k)};
+    const auto isLabelled = [&](int i) { return (rows[0][i] | rows[1][i] | rows[2][i] | rows[3][i]) != 0; };
+    if (isLabelled(0)) visit(0);
+    findMixed(rows, voxels_, bits_);
+    for (std::size_t word = 0; word < bits_.size(); ++word)
+      for (std::uint64_t left = bits_[word]; left != 0; left &= left - 1) visit(static_cast<int>(64 * word) + std::countr_zero(left) + 1);
+    if (isLabelled(voxels_ - 1)) visit(voxels_);
   }
 
  private:
-  // Plain loops over bytes, which the compiler turns into vectors.
-  void find(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c, const std::uint8_t* d) {
-    std::uint8_t* const uneven = uneven_.data();
-    std::uint8_t* const mixed = mixed_.data();
-    for (std::size_t x = 0; x < voxels_; ++x) uneven[x] = static_cast<std::uint8_t>((a[x] ^ b[x]) | (a[x] ^ c[x]) | (a[x] ^ d[x]));
-    mixed[0] = uneven[0] | a[0];
-    for (std::size_t x = 1; x < voxels_; ++x) mixed[x] = static_cast<std::uint8_t>(uneven[x - 1] | uneven[x] | (a[x - 1] ^ a[x]));
-    mixed[voxels_] = uneven[voxels_ - 1] | a[voxels_ - 1];
-  }
-
   const LabelRows& rows_;
-  std::size_t voxels_;
-  std::vector<std::uint8_t> uneven_, mixed_;  // the latter is padded with zeros
+  int voxels_;
+  std::vector<std::uint64_t> bits_;
 };
 
 /// The labels at the corners of a cell; corner n lies at (n & 1, n >> 1 & 1, n >> 2).

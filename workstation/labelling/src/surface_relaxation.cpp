@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "ew/core/large_pages.h"
 #include "ew/core/parallel.h"
@@ -62,27 +63,22 @@ class Relaxation {
   Relaxation(SurfaceNet& net, int threads) : net_(net), threads_(threads), bySides_(pullsBySides()) {}
 
   /// @return false when cancelled, as all of these
-  [[nodiscard]] bool begin(const Progress& progress) {
-    return growInLargePages(other_, net_.points(), progress) && growInLargePages(sum_, net_.points(), progress);
-  }
+  [[nodiscard]] bool begin(const Progress& progress) { return growInLargePages(other_, net_.points(), progress); }
 
-  /// T(n + 1) = 2 mean T(n) - T(n - 1), weighted and added up; points may leave their cells on the way, not at its end.
+  /// The sum of weighted polynomials by Clenshaw's recurrence from the last to the first, which needs two generations and no sum: b(n) =
+  /// weight(n) x + 2 mean b(n + 1) - b(n + 2), and mean b(1) - b(2) + weight(0) x in the end. A b is so many times the middle of the cell
+  /// and an offset; x is the middle alone. Points may leave their cells on the way, not at its end.
   [[nodiscard]] bool filter(const std::vector<float>& weights, Progress& progress) {
-    for (std::size_t n = 1; n < weights.size(); ++n) {
-      const float first = n == 1 ? weights[0] : 0.0F, weight = weights[n];
-      const float twice = n == 1 ? 1.0F : 2.0F, before = n == 1 ? 0.0F : 1.0F;
-      if (!step(static_cast<double>(n) / static_cast<double>(weights.size()), progress, [&](std::size_t p) {
-            const CellOffset mean = meanAround(p);
-            const float* const own = net_.offsets[p].at;
-            for (int i = 0; i < 4; ++i) {
-              const float made = twice * mean.at[i] - before * other_[p].at[i];
-              other_[p].at[i] = made;
-              sum_[p].at[i] += first * own[i] + weight * made;
-            }
+    float middles = weights.back(), middlesBefore = 0.0F;  // of b(n + 1), b(n + 2)
+    for (std::size_t n = weights.size() - 1; n-- > 0;) {
+      const float twice = n > 0 ? 2.0F : 1.0F;
+      if (!step(1.0 - static_cast<double>(n) / static_cast<double>(weights.size()), progress, [&](std::size_t p) {
+            const CellOffset mean = meanAround(p, middles);
+            for (int i = 0; i < 4; ++i) other_[p].at[i] = twice * mean.at[i] - other_[p].at[i];
           }))
         return false;
+      middlesBefore = std::exchange(middles, weights[n] + twice * middles - middlesBefore);
     }
-    std::swap(net_.offsets, sum_);
     for (CellOffset& each : net_.offsets)
       for (float& at : each.at) at = held(at);
     return true;
@@ -92,7 +88,7 @@ class Relaxation {
     for (int n = 0; n < kSettlingSteps; ++n) {
       const float share = n % 2 == 0 ? kTowards : kAway;
       if (!step(static_cast<double>(n + 1) / kSettlingSteps, progress, [&](std::size_t p) {
-            const CellOffset mean = meanAround(p);
+            const CellOffset mean = meanAround(p, 1.0F);
             const float* const own = net_.offsets[p].at;
             for (int i = 0; i < 4; ++i) other_[p].at[i] = held(own[i] + share * (mean.at[i] - own[i]));
           }))
@@ -104,8 +100,8 @@ class Relaxation {
  private:
   static float held(float offset) { return std::min(std::max(offset, -kOffsetLimit), kOffsetLimit); }
 
-  /// The mean of the neighbours, beside the middle of the point's own cell.
-  [[nodiscard]] CellOffset meanAround(std::size_t p) const {
+  /// The mean of the neighbours, beside the middle of the point's own cell, where ways between cells count `middles` times.
+  [[nodiscard]] CellOffset meanAround(std::size_t p, float middles) const {
     const CellOffset* const from = net_.offsets.data();
     const unsigned sides = net_.pullSides[p];
     const Pull& pull = bySides_[sides];
@@ -117,7 +113,7 @@ class Relaxation {
     CellOffset mean;
     for (int i = 0; i < 4; ++i) {
       const float sum = (beforeI->at[i] + afterI->at[i]) + (beforeJ->at[i] + afterJ->at[i]) + (beforeK->at[i] + afterK->at[i]);
-      mean.at[i] = own->at[i] + pull.share * (sum - 6.0F * own->at[i] + pull.cells.at[i]);
+      mean.at[i] = own->at[i] + pull.share * (sum - 6.0F * own->at[i] + middles * pull.cells.at[i]);
     }
     return mean;
   }
@@ -139,7 +135,7 @@ class Relaxation {
   SurfaceNet& net_;
   int threads_;
   std::array<Pull, 64> bySides_;
-  std::vector<CellOffset> other_, sum_;
+  std::vector<CellOffset> other_;
 };
 
 }  // namespace
