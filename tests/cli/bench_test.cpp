@@ -111,8 +111,8 @@ TEST_F(BenchReconstruct, RefusesWhatItCannotMeasure) {
 }
 
 TEST(BenchUsage, EveryBenchExplainsItselfWithAnExampleAndTheSharedOptions) {
-  for (const char* name : {"slicing", "frame", "echoes", "reconstruct", "register", "stitch", "tracking", "compass", "exercises", "metrics",
-                           "attempts", "library", "all"}) {
+  for (const char* name : {"slicing", "frame", "echoes", "reconstruct", "register", "stitch", "surfaces", "tracking", "compass",
+                           "exercises", "metrics", "attempts", "library", "all"}) {
     const auto help = runBench({"bench", name, "--help"});
     EXPECT_EQ(help.status, 0) << name;
     for (const std::string& part :
@@ -127,6 +127,7 @@ TEST(BenchUsage, WrongWordsAreOneSentenceAndStatusTwo) {
                                                     {"bench", "slicing", "--side", "3"},
                                                     {"bench", "slicing", "--simd", "avx"},
                                                     {"bench", "all", "--pair-side", "20"},
+                                                    {"bench", "surfaces", "--side", "16"},
                                                     {"bench", "tracking"}};
   for (const auto& words : wrong) {
     const auto outcome = runBench(words);

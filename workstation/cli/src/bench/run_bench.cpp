@@ -11,6 +11,7 @@
 #include "bench/volumes/reconstruct_entry.h"
 #include "bench/volumes/register_entry.h"
 #include "bench/volumes/stitch_entry.h"
+#include "bench/volumes/surfaces_entry.h"
 #include "run/command_line.h"
 
 namespace ew::cli {
@@ -26,6 +27,7 @@ void addBenches(CLI::App& root, Selection& selection) {
   addReconstructBench(group, selection);
   addRegisterBench(group, selection);
   addStitchBench(group, selection);
+  addSurfacesBench(group, selection);
   addTrackingBench(group, selection);
   addCompassBench(group, selection);
   addExercisesBench(group, selection);
