@@ -14,7 +14,7 @@ struct Face {
 };
 
 /// A face that no diagonal cuts well: four triangles around a point of the line. Two of them take the face's place in the list.
-struct FannedFace {
+struct FanFace {
   Face face;
   int axis = 0;
   glm::ivec3 cell{0};  ///< of its first point
@@ -74,7 +74,7 @@ class FaceMaker {
   }
 
   /// The row's faces, from the place `triangle` of the list on. @return the place after them
-  std::size_t cutFaces(int j, int k, std::size_t triangle, std::vector<FannedFace>& fanned) {
+  std::size_t cutFaces(int j, int k, std::size_t triangle, std::vector<FanFace>& fanned) {
     visitFaces(j, k, [&](std::int32_t p, int i, int axis, LabelSides sides) {
       const Face face = faceOf(p, axis, sides);
       const Cut cut = cutOf(face, axes_mm_[static_cast<std::size_t>(axis)]);
@@ -88,7 +88,7 @@ class FaceMaker {
   }
 
   /// @param point in the middle of the fan, and `triangle` the place of the two triangles that are more than those of other faces
-  void fanFace(const FannedFace& fanned, std::size_t point, std::size_t triangle) {
+  void fanFace(const FanFace& fanned, std::size_t point, std::size_t triangle) {
     const auto& at = fanned.face.at;
     const float along = std::clamp(0.25F * (at[0].x + at[1].x + at[2].x + at[3].x), -0.45F, 0.45F);
     glm::dvec3 voxel = glm::dvec3(fanned.cell);
@@ -174,7 +174,7 @@ bool makeFaces(const LabelRows& rows, const SurfaceNet& net, int threads, Progre
   if (!growInLargePages(surfaces.points_mm, net.points(), progress) || !growInLargePages(surfaces.triangles, triangles, progress) ||
       !growInLargePages(surfaces.sides, triangles, progress))
     return false;
-  std::vector<std::vector<FannedFace>> fanned(slabs);
+  std::vector<std::vector<FanFace>> fanned(slabs);
   if (!forEachSlab(net.cells, threads, cutting, [&](std::size_t slab, int j, int k) {
         maker.placePoints(j, k);
         next[slab] = maker.cutFaces(j, k, next[slab], fanned[slab]);

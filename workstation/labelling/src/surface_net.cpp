@@ -12,9 +12,9 @@ namespace ew::labelling {
 namespace {
 
 /// Of a row of cells, which of them hold more than one label. Kept by a worker for all its rows.
-class MixedCells {
+class CellFinder {
  public:
-  explicit MixedCells(const LabelRows& rows)
+  explicit CellFinder(const LabelRows& rows)
       : rows_(rows), voxels_(rows.grid().dims.x), bits_((static_cast<std::size_t>(voxels_) + 62) / 64) {}
 
   /// Calls visit(i) for each of the row (j, k), ascending.
@@ -59,14 +59,14 @@ int differentOnes(const std::array<std::uint8_t, Count>& labels) {
 }
 
 /// The sides of a cell that hold more than one label, and those that its point is smoothed across.
-struct MixedSides {
+struct SidesOfCell {
   std::uint8_t mixed = 0, pulls = 0;
 };
 
-MixedSides sidesOf(const Corners& corners) {
+SidesOfCell sidesOf(const Corners& corners) {
   // Corners of the sides in the order of CellSide.
   static constexpr std::uint8_t kOfSide[6][4] = {{0, 2, 4, 6}, {1, 3, 5, 7}, {0, 1, 4, 5}, {2, 3, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7}};
-  MixedSides found;
+  SidesOfCell found;
   std::uint8_t lines = 0;  // where three labels meet on the side
   const bool isLine = differentOnes(corners) > 2;
   for (int side = 0; side < 6; ++side) {
@@ -106,7 +106,7 @@ void connectRow(const LabelRows& rows, int j, int k, SurfaceNet& net) {
   for (std::int32_t p = net.rowBegin[net.rowOf(j, k)]; p < net.rowBegin[net.rowOf(j, k) + 1]; ++p) {
     const auto point = static_cast<std::size_t>(p);
     const int i = net.column[point];
-    const MixedSides sides = sidesOf(cornersOf(voxels, i, net.grid.dims.x));
+    const SidesOfCell sides = sidesOf(cornersOf(voxels, i, net.grid.dims.x));
     net.pullSides[point] = sides.pulls;
     for (std::size_t n = 0; n < 4; ++n) {
       const bool isMixed = (sides.mixed >> (n + 2) & 1) != 0;
@@ -140,7 +140,7 @@ std::vector<std::uint8_t> labelsIn(const std::vector<std::bitset<256>>& seen) {
 bool countPoints(const LabelRows& rows, int threads, Progress& progress, std::vector<std::int32_t>& ofRow) {
   const glm::ivec3 cells = rows.grid().dims + 1;
   ofRow.assign(static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z), 0);
-  std::vector<MixedCells> mixed(static_cast<std::size_t>(threadCount(threads)), MixedCells(rows));
+  std::vector<CellFinder> mixed(static_cast<std::size_t>(threadCount(threads)), CellFinder(rows));
   return forEachRow(cells, threads, progress, say<"Finding the borders of labels">(), [&](int j, int k, int worker) {
     std::int32_t count = 0;
     mixed[static_cast<std::size_t>(worker)].visit(j, k, [&](int) { ++count; });
@@ -161,7 +161,7 @@ bool buildNet(const LabelRows& rows, std::vector<std::int32_t> ofRow, int thread
       !growInLargePages(net.offsets, count, progress))
     return false;
   const auto workers = static_cast<std::size_t>(threadCount(threads));
-  std::vector<MixedCells> mixed(workers, MixedCells(rows));
+  std::vector<CellFinder> mixed(workers, CellFinder(rows));
   std::vector<std::bitset<256>> seen(workers);
   PartOfProgress finding(progress, 0.0, 0.4), joining(progress, 0.4, 1.0);
   if (!forEachRow(net.cells, threads, finding, say<"Finding the borders of labels">(), [&](int j, int k, int worker) {
