@@ -56,9 +56,9 @@ Glb parsed(const std::string& bytes) {
 TEST(SurfaceFile, GltfHasANodeMeshAndMaterialForEachSurface) {
   const test::TempFolder folder;
   const auto file = folder / "organs.glb";
-  const std::vector<NamedSurface> surfaces = {{"liver", {0.5, 0.25, 1.0}, tetrahedron({1, 2, 3})},
-                                              {"nothing", glm::dvec3(0.1), {}},
-                                              {"a \"name\" \xC3\xA4 \xFF", glm::dvec3(1.0), tetrahedron({-100, -200, 300})}};
+  const std::vector<SurfacePart> surfaces = {{"liver", {0.5, 0.25, 1.0}, tetrahedron({1, 2, 3})},
+                                             {"nothing", glm::dvec3(0.1), {}},
+                                             {"a \"name\" \xC3\xA4 \xFF", glm::dvec3(1.0), tetrahedron({-100, -200, 300})}};
   ASSERT_TRUE(writeGltf(surfaces, file));
   const Glb glb = parsed(test::bytesOfFile(file));
   const json& document = glb.document;
@@ -84,7 +84,7 @@ TEST(SurfaceFile, GltfHasANodeMeshAndMaterialForEachSurface) {
 
 TEST(SurfaceFile, GltfIsInMetresWithSuperiorUpAndAnteriorToTheFront) {
   const test::TempFolder folder;
-  const NamedSurface surface{"one", glm::dvec3(0.5), tetrahedron({100, 2000, 300})};
+  const SurfacePart surface{"one", glm::dvec3(0.5), tetrahedron({100, 2000, 300})};
   ASSERT_TRUE(writeGltf({&surface, 1}, folder / "one.GLB"));
   const Glb glb = parsed(test::bytesOfFile(folder / "one.GLB"));
   const json& attributes = glb.document["meshes"][0]["primitives"][0]["attributes"];
@@ -120,7 +120,7 @@ TEST(SurfaceFile, StlAndPlyHoldEveryTriangle) {
 
 TEST(SurfaceFile, ThatCannotBeWrittenSaysWhyAndIsNotThere) {
   const test::TempFolder folder;
-  const NamedSurface empty{"empty", glm::dvec3(0.5), {}}, one{"one", glm::dvec3(0.5), tetrahedron({0, 0, 0})};
+  const SurfacePart empty{"empty", glm::dvec3(0.5), {}}, one{"one", glm::dvec3(0.5), tetrahedron({0, 0, 0})};
   EXPECT_EQ(writeSurface(one.mesh, folder / "a.obj").error().code, ErrorCode::unsupported);
   EXPECT_EQ(writeGltf({&one, 1}, folder / "a.stl").error().code, ErrorCode::unsupported);
   EXPECT_EQ(writeGltf({&empty, 1}, folder / "a.glb").error().code, ErrorCode::emptyVolume);

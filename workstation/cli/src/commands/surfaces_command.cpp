@@ -63,9 +63,9 @@ Result<void> checkSurfaces(const SurfacesArguments& arguments, std::size_t label
 }
 
 /// What every label has become, for the report and the screen; those that are wanted.
-Result<std::vector<NamedSurface>> namedSurfaces(const labelling::LabelSurfaces& surfaces, const std::vector<std::uint8_t>& only,
-                                                const std::map<std::uint8_t, std::string>& names, Run& run) {
-  std::vector<NamedSurface> named;
+Result<std::vector<SurfacePart>> partsOf(const labelling::LabelSurfaces& surfaces, const std::vector<std::uint8_t>& only,
+                                         const std::map<std::uint8_t, std::string>& names, Run& run) {
+  std::vector<SurfacePart> named;
   run.report.details["surfaces"] = nlohmann::json::array();
   for (const std::uint8_t label : surfaces.labels) {
     if (!only.empty() && std::find(only.begin(), only.end(), label) == only.end()) continue;
@@ -105,7 +105,7 @@ Result<int> makeSurfaces(const SurfacesArguments& arguments, Run& run) {
     return labelling::labelSurfaces(read->volume.view(), options, making);
   }();
   if (!surfaces) return passOn(surfaces.error());
-  const auto named = namedSurfaces(*surfaces, *only, *names, run);
+  const auto named = partsOf(*surfaces, *only, *names, run);
   if (!named) return passOn(named.error());
   const StepClock clock(run.report, "write");
   const auto file = run.outputs.staged(arguments.output);

@@ -29,7 +29,7 @@ double linearOf(double sRgb) { return sRgb <= 0.04045 ? sRgb / 12.92 : std::pow(
 /// The two chunks of the file, grown surface by surface.
 class GltfDocument {
  public:
-  void add(const NamedSurface& surface) {
+  void add(const SurfacePart& surface) {
     const std::size_t n = json_["meshes"].size();
     const SurfaceMesh& mesh = surface.mesh;
     std::vector<glm::vec3> points_m, normals;
@@ -105,7 +105,7 @@ void putChunk(std::ostream& out, std::uint32_t kind, const std::string& bytes) {
 
 }  // namespace
 
-Result<void> writeGltf(std::span<const NamedSurface> surfaces, const std::filesystem::path& file) {
+Result<void> writeGltf(std::span<const SurfacePart> surfaces, const std::filesystem::path& file) {
   constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBinary = 0x004E4942;
   constexpr std::uint64_t kMost_bytes = std::numeric_limits<std::uint32_t>::max(), kRoomForWords = std::uint64_t{1} << 24;
   if (!hasEnding(file, ".glb"))
@@ -113,14 +113,14 @@ Result<void> writeGltf(std::span<const NamedSurface> surfaces, const std::filesy
                    say<"Several surfaces are written as .glb, not as %1; change its ending.">(file.filename().string()),
                    {{"file", file.string()}});
   std::uint64_t bytes = 0;
-  for (const NamedSurface& each : surfaces) bytes += 24 * each.mesh.points_mm.size() + 12 * each.mesh.triangles.size();
+  for (const SurfacePart& each : surfaces) bytes += 24 * each.mesh.points_mm.size() + 12 * each.mesh.triangles.size();
   if (bytes > kMost_bytes - kRoomForWords)
     return failure(ErrorCode::tooLarge,
                    say<"The surfaces are too large for %1, which can hold 4 GiB; write fewer of them.">(file.filename().string()),
                    {{"file", file.string()}});
   GltfDocument document;
   bool isEmpty = true;
-  for (const NamedSurface& each : surfaces) {
+  for (const SurfacePart& each : surfaces) {
     if (each.mesh.triangles.empty()) continue;
     document.add(each);
     isEmpty = false;

@@ -15,7 +15,7 @@ namespace ew {
 [[nodiscard]] Result<void> writeSurface(const SurfaceMesh& mesh, const std::filesystem::path& file);
 
 /// A surface among others in a file.
-struct NamedSurface {
+struct SurfacePart {
   std::string name;
   glm::dvec3 colour{0.8};  ///< red, green, blue (sRGB), 0 to 1
   SurfaceMesh mesh;
@@ -25,6 +25,6 @@ struct NamedSurface {
 /// front (anterior), +X to the patient's left. What shares points in mm shares them in the file, to the bit. Surfaces without triangles are
 /// left out. Source: glTF 2.0 Specification, Khronos Group, 2021.
 /// @error unsupported (another ending), emptyVolume (no triangles at all), tooLarge (above 4 GiB, which the format cannot say), notWritable
-[[nodiscard]] Result<void> writeGltf(std::span<const NamedSurface> surfaces, const std::filesystem::path& file);
+[[nodiscard]] Result<void> writeGltf(std::span<const SurfacePart> surfaces, const std::filesystem::path& file);
 
 }  // namespace ew
