@@ -248,7 +248,7 @@ TEST(LabelSurfaces, LieTheSameInEveryGrid) {
   }
 }
 
-struct ShapeTruth {
+struct Truth {
   std::function<double(const glm::dvec3&)> distance_mm;
   std::vector<glm::dvec3> points;  ///< on the surface
   double volume_mm3 = 0.0;
@@ -264,14 +264,14 @@ std::vector<glm::dvec3> directions(int count) {
   return all;
 }
 
-ShapeTruth sphere(const glm::dvec3& at, double radius) {
-  ShapeTruth truth{[=](const glm::dvec3& p) { return glm::distance(p, at) - radius; }, {}, 4.0 / 3.0 * test::kPi * std::pow(radius, 3)};
+Truth sphere(const glm::dvec3& at, double radius) {
+  Truth truth{[=](const glm::dvec3& p) { return glm::distance(p, at) - radius; }, {}, 4.0 / 3.0 * test::kPi * std::pow(radius, 3)};
   for (const glm::dvec3& d : directions(1500)) truth.points.push_back(at + radius * d);
   return truth;
 }
 
-ShapeTruth torus(const glm::dvec3& at, double ring, double tube) {
-  ShapeTruth truth{[=](const glm::dvec3& p) { return std::hypot(std::hypot(p.x - at.x, p.y - at.y) - ring, p.z - at.z) - tube; },
+Truth torus(const glm::dvec3& at, double ring, double tube) {
+  Truth truth{[=](const glm::dvec3& p) { return std::hypot(std::hypot(p.x - at.x, p.y - at.y) - ring, p.z - at.z) - tube; },
               {},
               2.0 * test::kPi * test::kPi * ring * tube * tube};
   for (int a = 0; a < 60; ++a)
@@ -294,14 +294,14 @@ double toEllipsoid(const glm::dvec3& p, const glm::dvec3& radii) {
   return glm::length(p / radii) < 1.0 ? -away : away;
 }
 
-ShapeTruth ellipsoid(const glm::dvec3& at, const glm::dvec3& radii) {
-  ShapeTruth truth{[=](const glm::dvec3& p) { return toEllipsoid(p - at, radii); }, {}, 4.0 / 3.0 * test::kPi * radii.x * radii.y * radii.z};
+Truth ellipsoid(const glm::dvec3& at, const glm::dvec3& radii) {
+  Truth truth{[=](const glm::dvec3& p) { return toEllipsoid(p - at, radii); }, {}, 4.0 / 3.0 * test::kPi * radii.x * radii.y * radii.z};
   for (const glm::dvec3& d : directions(1500)) truth.points.push_back(at + radii * d);
   return truth;
 }
 
 /// Both ways, points and middles of triangles standing for the mesh.
-void expectNear(const SurfaceMesh& mesh, const ShapeTruth& truth, const std::string& name) {
+void expectNear(const SurfaceMesh& mesh, const Truth& truth, const std::string& name) {
   std::vector<glm::dvec3> ofMesh(mesh.points_mm.begin(), mesh.points_mm.end());
   for (const glm::ivec3& t : mesh.triangles)
     ofMesh.push_back((ofMesh[std::size_t(t.x)] + ofMesh[std::size_t(t.y)] + ofMesh[std::size_t(t.z)]) / 3.0);
@@ -324,7 +324,7 @@ void expectNear(const SurfaceMesh& mesh, const ShapeTruth& truth, const std::str
 
 TEST(LabelSurfaces, LieWithinAVoxelOfTheShapesThatWereLabelled) {
   const glm::dvec3 at(20.3, 19.6, 20.1);
-  const std::vector<std::pair<std::string, std::vector<ShapeTruth>>> scenes = {
+  const std::vector<std::pair<std::string, std::vector<Truth>>> scenes = {
       {"a ball", {sphere(at, 13.7)}},
       {"a small ball", {sphere(at, 5.2)}},
       {"a ring", {torus(at, 12.0, 4.6)}},
