@@ -12,7 +12,7 @@
 #include "labelling/support.h"
 #include "memory_in_use.h"
 
-namespace ew::labelling {
+namespace ew::labelling::label_surfaces_test {
 namespace {
 
 using test::Crossings;
@@ -434,4 +434,4 @@ TEST(LabelSurfaces, TakeNoMoreMemoryThanWasForecast) {
 }
 
 }  // namespace
-}  // namespace ew::labelling
+}  // namespace ew::labelling::label_surfaces_test
