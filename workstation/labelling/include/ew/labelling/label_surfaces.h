@@ -33,7 +33,7 @@ struct LabelSurfaces {
   bool operator==(const LabelSurfaces&) const = default;
 };
 
-/// Memory that labelSurfaces takes for these labels, the surfaces included. Cost: one pass over the voxels.
+/// Memory that labelSurfaces takes for these labels at most, the surfaces included. Cost: one pass over the voxels.
 [[nodiscard]] std::uint64_t labelSurfacesForecast_bytes(const VolumeView<const std::uint8_t>& labels, int threads = 0);
 
 /// Smooth surfaces between the labels of a volume: closed, joint, and without crossings. What lies outside of the volume has label 0, so
