@@ -79,8 +79,8 @@ TEST(HardPlan, SettingsThatAreNoNumbersOrBeyondEveryLimitGiveTheImageOfTheNeares
     const Knobs knobs = knobsOf(value);
     const Scene scene = sceneOf(value);
     FrameMaker asked, usable;
-    asked.configure(convexProbe(), knobs, scene, volume.grid, 90, 80, true);
-    usable.configure(convexProbe(), limited(knobs), limited(scene), volume.grid, 90, 80, true);
+    asked.configure(convexProbe(), knobs, scene, volume.grid, 90, 80, {.labels = true});
+    usable.configure(convexProbe(), limited(knobs), limited(scene), volume.grid, 90, 80, {.labels = true});
     for (int n = 0; n < 3; ++n) {
       input.time_s = n == 1 ? value : 0.1 * n;
       const auto a = asked.make(input).grey, b = usable.make(input).grey;

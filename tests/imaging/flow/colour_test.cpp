@@ -230,6 +230,29 @@ TEST(ColourDoppler, GoesOnFromWhatItRemembers) {
   EXPECT_NE(copyOf(other.next().colour), second);
 }
 
+TEST(ColourDoppler, TakesSettingsThatAreNone) {
+  const double nan = std::nan(""), inf = INFINITY;
+  for (const double value : {nan, inf, -inf, 1e300, -1e300, 1e-300, 0.0, -1.0})
+    for (const int whole : {-100, 0, 1, 3, 1000}) {
+      Shot shot;
+      ColourDoppler& colour = *shot.knobs.colour;
+      colour.boxMiddle = colour.boxWidth = colour.boxMiddle_mm = colour.boxHeight_mm = colour.steering_rad = value;
+      colour.carrier_hz = colour.prf_hz = colour.baseline = colour.gain_db = colour.priority = colour.reject = colour.persistence = value;
+      colour.packet = colour.everyLine = colour.smoothing = whole;
+      shot.knobs.mode = DisplayMode::spectrum;
+      SpectralDoppler& spectral = shot.knobs.spectral.emplace();
+      spectral.line = spectral.depth_mm = spectral.gate_mm = spectral.steering_rad = spectral.angle_rad = spectral.carrier_hz = value;
+      spectral.prf_hz = spectral.baseline = spectral.wallFilter_hz = spectral.gain_db = spectral.dynamicRange_db = value;
+      spectral.highPrf = whole > 0;
+      ColourScan scan(shot);
+      for (int n = 0; n < 2; ++n) scan.next();
+      const FrameMemory memory = scan.maker().memory();
+      EXPECT_TRUE(std::all_of(memory.colour.sums.begin(), memory.colour.sums.end(), [](float sum) { return std::isfinite(sum); }))
+          << value << " " << whole;
+      for (const std::complex<float>& sample : scan.maker().dopplerSamples()) ASSERT_TRUE(std::isfinite(std::abs(sample))) << value;
+    }
+}
+
 TEST(ColourBox, StaysInTheFanAndSlowsThePulses) {
   const Probe probe = trialProbe();
   Knobs knobs;
