@@ -83,6 +83,50 @@
 <context>
     <name>ew::Message</name>
     <message>
+        <source>Finding the borders of labels</source>
+        <translation>Grenzen der Labels werden gesucht</translation>
+    </message>
+    <message>
+        <source>Joining surfaces</source>
+        <translation>Oberflächen werden verbunden</translation>
+    </message>
+    <message>
+        <source>Making surfaces was stopped.</source>
+        <translation>Das Erstellen der Oberflächen wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Making triangles</source>
+        <translation>Dreiecke werden gebildet</translation>
+    </message>
+    <message>
+        <source>Parting surfaces</source>
+        <translation>Oberflächen werden getrennt</translation>
+    </message>
+    <message>
+        <source>Several surfaces are written as .glb, not as %1; change its ending.</source>
+        <translation>Mehrere Oberflächen werden als .glb geschrieben, nicht als %1; ändern Sie die Endung.</translation>
+    </message>
+    <message>
+        <source>Smoothing surfaces</source>
+        <translation>Oberflächen werden geglättet</translation>
+    </message>
+    <message>
+        <source>Surfaces are to be smoothed up to waves of %1 voxels, expected is 0 or a number from 4 to 32.</source>
+        <translation>Oberflächen sollen bis zu Wellen von %1 Voxeln geglättet werden, erwartet wird 0 oder eine Zahl von 4 bis 32.</translation>
+    </message>
+    <message>
+        <source>The surfaces are too large for %1, which can hold 4 GiB; write fewer of them.</source>
+        <translation>Die Oberflächen sind zu groß für %1, was 4 GiB fasst; schreiben Sie weniger davon.</translation>
+    </message>
+    <message>
+        <source>The surfaces of these labels need %1 of memory, %2 are allowed; allow more, or make the labels coarser.</source>
+        <translation>Die Oberflächen dieser Labels brauchen %1 Speicher, erlaubt sind %2; erlauben Sie mehr, oder machen Sie die Labels gröber.</translation>
+    </message>
+    <message>
+        <source>There is no surface to write to %1.</source>
+        <translation>Es gibt keine Oberfläche, die in %1 zu schreiben wäre.</translation>
+    </message>
+    <message>
         <source>B-mode and spectrum</source>
         <translation>B-Mode und Spektrum</translation>
     </message>
