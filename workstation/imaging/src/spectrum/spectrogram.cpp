@@ -14,6 +14,7 @@ namespace {
 constexpr double kWindow_s = 0.016;
 constexpr int kFewest = 32, kMost = 512;
 constexpr double kSameMoment = 0.5;  // of a sample
+constexpr double kLift = 0.6;        // exponent of the grey curve: faint blood is seen, as on machines
 
 using Transformer = std::unique_ptr<kiss_fft_state, decltype([](kiss_fft_state* state) { kiss_fft_free(state); })>;
 
@@ -84,12 +85,13 @@ struct Spectrogram::Parts {
     times_s[slot] = first_s + (static_cast<double>(beginOf(made)) + 0.5 * (window - 1)) / setting.prf_hz;
     for (std::size_t row = 0; row < grey.size(); ++row) {
       // Rows from the highest that is shown to the lowest, around where the scale ends.
-      const double share = 0.5 * (1.0 + setting.baseline) - (static_cast<double>(row) + 0.5) / static_cast<double>(bins());
-      const auto bin = static_cast<std::int64_t>(std::floor((share + 0.5) * static_cast<double>(bins())));
+      const double place = 0.5 * (1.0 + setting.baseline) - (static_cast<double>(row) + 0.5) / static_cast<double>(bins());
+      const auto bin = static_cast<std::int64_t>(std::floor((place + 0.5) * static_cast<double>(bins())));
       const auto wrapped = static_cast<std::size_t>((bin % static_cast<std::int64_t>(bins()) + static_cast<std::int64_t>(bins())) %
                                                     static_cast<std::int64_t>(bins()));
       const double level_db = 10.0 * std::log10(std::max(static_cast<double>(power[wrapped]), 1e-30) / setting.black);
-      const auto level = static_cast<std::uint8_t>(std::clamp(255.0 * level_db / setting.dynamicRange_db, 0.0, 255.0) + 0.5);
+      const double share = std::clamp(level_db / setting.dynamicRange_db, 0.0, 1.0);
+      const auto level = static_cast<std::uint8_t>(255.0 * std::pow(share, kLift) + 0.5);
       grey[setting.invert ? grey.size() - 1 - row : row] = level;
     }
     // On the clock of the samples; a hair later, so that rounding does not put a column before its own.
