@@ -7,7 +7,7 @@ set(EW_ROOMS_io files volumes surfaces dicom sweeps images films)
 set(EW_ROOMS_phantom shapes patient echoes scanner)
 set(EW_ROOMS_library files case making learning index access publishing)
 set(EW_ROOMS_assessment measures works attempts rating)
-set(EW_ROOMS_ui window/layout jobs measure/words keys case scan scan/console scan/cine scan/zoom scan/source scan/cost annotate body measure/calipers
+set(EW_ROOMS_ui window/layout jobs measure/words keys case scan scan/doppler scan/console scan/cine scan/zoom scan/source scan/cost annotate body measure/calipers
   measure/worksheets measure trackers/control trackers/wizard trackers start images plugins import
   window/frame window/features window)
 set(EW_ROOMS_cli run commands bench/tools bench/images bench/volumes bench/teaching bench)

@@ -25,6 +25,7 @@
 #include "scan/colour_on_image.h"
 #include "scan/fan_rects.h"
 #include "scan/session.h"
+#include "scan/spectrum_on_image.h"
 #include "window/layout/window_text.h"
 
 namespace ew::ui {
@@ -49,7 +50,10 @@ QString settingsOf(const Session& session) {
           ? WindowText::tr("%1   depth %2 cm   gain %3 dB").arg(probe, depth_cm, signedFigure(knobs.gain_db, 1))
           : WindowText::tr("%1   depth %2 cm   gain %3 %").arg(probe, depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
   if (knobs.zoom > 1.0) line += WindowText::tr("   zoom %1").arg(figure(knobs.zoom, 1));
-  if (knobsWithBox(session)) line += colourFigures(session.imageProbe(), knobs).join(QString());
+  if (const auto gated = knobsWithGate(session))
+    line += spectralFigures(session.imageProbe(), *gated).join(QString());
+  else if (knobsWithBox(session))
+    line += colourFigures(session.imageProbe(), knobs).join(QString());
   return line;
 }
 
@@ -124,6 +128,9 @@ void paintOn(QPainter& painter, const Session& session, const OnImage& on, const
   painter.save();
   painter.setClipRect(image);
   paintColour(painter, session, pixelOf, image);
+  if (const auto gated = knobsWithGate(session)) {
+    paintGate(painter, outlineOfGate(session.imageProbe(), *gated, pixelOf), *gated, image);
+  }
   if (on.calipers != nullptr && !on.calipers->lines().empty())
     paintCalipers(painter, *on.calipers, Where::image, pixelOf, {Qt::white, Qt::white});
   if (on.annotations != nullptr) paintAnnotations(painter, on.annotations->all(), 0, pixelOf, {Qt::white, Qt::white});
@@ -132,7 +139,21 @@ void paintOn(QPainter& painter, const Session& session, const OnImage& on, const
   painter.restore();
 }
 
-/// What lies on the strip of the M-mode, and seconds below it.
+/// Scale, baseline and envelope of a spectrum, and its values below the seconds.
+void paintOnSpectrum(QPainter& painter, const Session& session, const Knobs& knobs, const QRect& strip) {
+  const Spectrogram* spectrogram = session.seen().spectrogram();
+  if (spectrogram == nullptr) return;
+  const Probe& probe = session.imageProbe();
+  paintVelocityScale(painter, strip, strip.right() + kScale_px - 4, probe, knobs);
+  paintBaseline(painter, strip, knobs);
+  const SpectrumReading reading = readingOf(*spectrogram, knobs);
+  if (session.spectrumTrace().isShown()) paintEnvelope(painter, strip, 1.0, session.seen().mMode(), knobs, reading);
+  paintValues(painter,
+              QRect(QPoint(strip.left(), strip.bottom() + kLine_px + kBetween_px), QSize(strip.width(), heightOfValues_px(strip.size()))),
+              reading.values ? spectralValues(*reading.values, probe, knobs) : QStringList(), angleWarning(knobs.spectral->angle_rad));
+}
+
+/// What lies on the strip of the M-mode or the spectrum, and seconds below it.
 void paintOnStrip(QPainter& painter, const Session& session, const OnImage& on, const QRect& strip) {
   constexpr int kTick_px = 5;
   const double second_px = 1.0 / session.seen().mMode().columnTime_s();
@@ -144,6 +165,7 @@ void paintOnStrip(QPainter& painter, const Session& session, const OnImage& on, 
     if (second > 0 && second_px >= 2.0 * kLine_px)
       drawFigures(painter, QRect(x - 40, strip.bottom() + kTick_px, 44, kLine_px), Qt::AlignRight, WindowText::tr("%1 s").arg(second));
   }
+  if (const auto gated = knobsWithGate(session)) return paintOnSpectrum(painter, session, *gated, strip);
   if (on.calipers == nullptr || !on.calipers->hasStrip()) return;
   const measurement::StripPlane plane = on.calipers->stripPlane();
   const auto pixelOf = [&](const glm::dvec2& at) {
@@ -160,18 +182,23 @@ void paintOnStrip(QPainter& painter, const Session& session, const OnImage& on, 
 /// The images that are on the screen, one below the other.
 struct Shown {
   QImage image, strip;  ///< null: not shown
+  int values_px = 0;    ///< of a spectrum, below it
   [[nodiscard]] int width() const { return std::max(image.width(), strip.width()); }
   [[nodiscard]] int stripTop_px() const { return image.isNull() ? 0 : image.height() + kBetween_px; }
-  [[nodiscard]] int height() const { return strip.isNull() ? image.height() : stripTop_px() + strip.height() + kLine_px + kBetween_px; }
+  [[nodiscard]] int height() const {
+    return strip.isNull() ? image.height() : stripTop_px() + strip.height() + kLine_px + kBetween_px + values_px;
+  }
 };
 Shown shownBy(const Session& session) {
   const DisplayMode mode = session.imageKnobs().mode;
   Shown shown;
-  const bool hasBox = knobsWithBox(session).has_value();  // its bar has colours where no blood has
+  const bool isSpectrum = knobsWithGate(session).has_value();
+  const bool hasBox = isSpectrum || knobsWithBox(session).has_value();  // bar, flow line and envelope have colours where no blood has
   const QImage image = hasBox ? imageOf(session.image()).convertToFormat(QImage::Format_RGB888) : imageOf(session.image());
   if (mode != DisplayMode::bMode && session.seen().strip().width > 0)
     shown.strip = imageOf(session.seen().strip()).convertToFormat(image.format());
   if (mode != DisplayMode::mMode || shown.strip.isNull()) shown.image = image;
+  if (isSpectrum && !shown.strip.isNull()) shown.values_px = heightOfValues_px(shown.strip.size());
   return shown;
 }
 

@@ -7,6 +7,7 @@
 
 #include "ew/widgets/figures.h"
 #include "ew/widgets/theme.h"
+#include "scan/lines_on_image.h"
 #include "scan/scan_view.h"
 #include "scan/session.h"
 
@@ -16,7 +17,6 @@ namespace {
 constexpr int kBar_px = 14;
 constexpr int kFromFan_px = 6;
 constexpr int kLeastBar_px = 48;
-const QColor kLight(235, 235, 235);
 
 int lineOfNumbers_px() { return scaled(16); }
 int widthOfNumbers_px() { return scaled(38); }
@@ -50,11 +50,7 @@ void paintColourBox(QPainter& painter, const BoxOutline& outline) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);
   const QPolygonF all = outline.all();
-  // A dark edge under the light line keeps it in sight on bright tissue.
-  for (const auto& [colour, width] : {std::pair{QColor(0, 0, 0, 130), 3.0}, std::pair{kLight, 1.0}}) {
-    painter.setPen(QPen(colour, width));
-    painter.drawPolyline(all);
-  }
+  drawOnImage(painter, kLineOnImage, 1.0, [&] { painter.drawPolyline(all); });
   painter.restore();
 }
 
@@ -90,7 +86,7 @@ void paintColourBar(QPainter& painter, const QRect& place, const Probe& probe, c
                                 QImage::Format_RGB888));
   const bool isOfVelocity = colour.shows == ColourShows::velocity || colour.shows == ColourShows::variance;
   const auto [lowest_mmPerS, highest_mmPerS] = box.shown_mmPerS;
-  painter.setPen(QPen(kLight, 1.0));
+  painter.setPen(QPen(kLineOnImage, 1.0));
   if (isOfVelocity || colour.shows == ColourShows::directionalPower) {
     const double share = isOfVelocity ? highest_mmPerS / (highest_mmPerS - lowest_mmPerS) : 0.5;
     const int y = bar.top() + static_cast<int>(std::lround(share * (bar.height() - 1)));
@@ -121,8 +117,7 @@ QStringList colourFigures(const Probe& probe, const Knobs& knobs) {
           ScanView::tr("   %1 images/s", "colour").arg(figure(1.0 / box.frame_s, 1))};
 }
 
-QString colourWords(const QPainter& painter, const Probe& probe, const Knobs& knobs, int room_px) {
-  QStringList figures = colourFigures(probe, knobs);
+QString figuresThatFit(const QPainter& painter, QStringList figures, int room_px) {
   while (!figures.isEmpty() && figuresWidth_px(painter.fontMetrics(), figures.join(QString())) > room_px) figures.removeLast();
   return figures.join(QString());
 }

@@ -43,7 +43,7 @@ void paintColourBar(QPainter& painter, const QRect& place, const Probe& probe, c
 
 /// Scale, filter and images a second, each as it stands behind other figures of a line.
 [[nodiscard]] QStringList colourFigures(const Probe& probe, const Knobs& knobs);
-/// As many of them as there is room for in the present font.
-[[nodiscard]] QString colourWords(const QPainter& painter, const Probe& probe, const Knobs& knobs, int room_px);
+/// As many of such figures as there is room for in the present font.
+[[nodiscard]] QString figuresThatFit(const QPainter& painter, QStringList figures, int room_px);
 
 }  // namespace ew::ui

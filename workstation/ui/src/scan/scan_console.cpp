@@ -40,6 +40,9 @@ void ScanConsole::takeProbe(const Probe& probe) {
   knobs.steering_rad = 0.0;
   knobs.trapezoid = false;
   if (knobs.colour) knobs.colour->boxMiddle_mm = knobs.colour->boxHeight_mm = knobs.colour->steering_rad = knobs.colour->carrier_hz = 0.0;
+  if (knobs.spectral) {
+    knobs.spectral->line = knobs.spectral->depth_mm = knobs.spectral->steering_rad = knobs.spectral->carrier_hz = 0.0;
+  }
   probeControl_.pressAsUsual(probe);
 }
 
@@ -56,6 +59,7 @@ void ScanConsole::chooseProbe(const std::string& id) {
 
 void ScanConsole::takeSubject() {
   takeScene(scan_.subject()->scene);
+  if (scan_.live.knobs.mode == DisplayMode::spectrum && !scan_.subject()->showsColour()) scan_.live.knobs.mode = DisplayMode::bMode;
   if (!scan_.subject()->probes.empty()) {
     const auto first = std::find_if(all_.begin(), all_.end(), [this](const Probe& p) { return p.id == scan_.subject()->probes.front(); });
     if (first != all_.end()) takeProbe(*first);

@@ -20,6 +20,7 @@
 #include "scan/fan_rects.h"
 #include "scan/focus_scale.h"
 #include "scan/scan_badges.h"
+#include "scan/spectrum_on_image.h"
 #include "scan/tracking_look.h"
 #include "scan/tracking_overlay.h"
 
@@ -39,7 +40,6 @@ int rightRoom_px() { return 26 + scaled(38); }  // depth scale
 int topRoom_px() { return 12 + scaled(44); }    // probe name, reset of the TGC, marker
 int lineHeight_px() { return scaled(24); }
 int bottomRoom_px() { return 16 + lineHeight_px(); }  // what the image is
-int timeRoom_px() { return 8 + scaled(16); }          // time ticks under the strip
 
 /// Of the bar of colours; in a narrow view the image needs the room.
 bool hasBarNumbers(const ScanView& view) {
@@ -84,6 +84,7 @@ ScanView::ScanView(Session& session, QWidget* parent) : QWidget(parent), session
   connect(&session_.console(), &ScanConsole::knobsChanged, this, changed);
   connect(&session_.console(), &ScanConsole::sceneChanged, this, changed);
   connect(&session_, &Session::frozenChanged, this, changed);
+  connect(&session_.spectrumTrace(), &SpectrumTrace::changed, this, changed);
   connect(&session_, &Session::subjectChanged, this, changed);
   connect(&session_.probeControl(), &ProbeControl::holdChanged, this, [this] {
     if (session_.probeControl().tracked()) update();
@@ -129,9 +130,9 @@ QRect ScanView::wholeRect() const {
   const QRect whole(left_px, topRoom_px(), std::max(1, width() - left_px - right_px),
                     std::max(1, height() - topRoom_px() - bottomRoom_px()));
   if (isAlone) return whole;
-  if (mode() == DisplayMode::mMode) return whole.adjusted(0, 0, 0, -std::min(timeRoom_px(), whole.height() - 1));
+  if (mode() == DisplayMode::mMode) return whole.adjusted(0, 0, 0, -std::min(belowStrip_px(*this, mode()), whole.height() - 1));
   // Image and strip have the same size; between them there is room for the image's lower edge to be seen as one.
-  return {whole.left(), whole.top(), whole.width(), std::max(1, (whole.height() - timeRoom_px() - 16) / 2)};
+  return {whole.left(), whole.top(), whole.width(), std::max(1, (whole.height() - belowStrip_px(*this, mode()) - 16) / 2)};
 }
 
 std::vector<QRect> ScanView::fanRects() const {
@@ -236,7 +237,7 @@ void ScanView::placeColourBar() {
   const QRect room = roomOfBar();
   std::vector<QRect> taken = isZoomed() ? std::vector<QRect>() : fanRects();
   taken.push_back(resultsRect_);
-  if (mode() == DisplayMode::both) taken.push_back(stripRect());
+  if (isStripBelow(mode())) taken.push_back(stripRect());
   const bool hasNumbers = hasBarNumbers(*this);
   const QSize usual = sizeOfColourBar(imageRect().height(), hasNumbers);
   const int least_px = hasNumbers ? usual.height() : kShortestBar_px;
@@ -358,6 +359,7 @@ void ScanView::paintEvent(QPaintEvent*) {
     if (!bar_.isNull()) paintColourBar(painter, bar_, session_.imageProbe(), session_.imageKnobs(), hasBarNumbers(*this), isZoomed());
   }
   if (mode() == DisplayMode::both) paintMLine(painter);
+  if (mode() == DisplayMode::spectrum) paintSpectrum(painter, *this, session_);
   if (paintOver && mode() != DisplayMode::mMode) {
     painter.save();
     painter.setClipRect(imageRect());
@@ -517,7 +519,10 @@ void ScanView::paintWords(QPainter& painter) {
                      : tr("depth %1 cm   gain %2 %").arg(depth_cm).arg(static_cast<int>(std::lround(knobs.gain * 100.0)));
   if (knobs.zoom > 1.0) line += tr("   zoom %1").arg(figure(knobs.zoom, 1));
   const int lineTop = height() - 8 - lineHeight_px(), lineRoom_px = width() - 24 - scaled(76);
-  if (knobsWithBox(session_)) line += colourWords(painter, session_.imageProbe(), knobs, lineRoom_px - figuresWidth_px(metrics, line));
+  const auto gated = knobsWithGate(session_);
+  if (gated || knobsWithBox(session_))
+    line += figuresThatFit(painter, gated ? spectralFigures(session_.imageProbe(), *gated) : colourFigures(session_.imageProbe(), knobs),
+                           lineRoom_px - figuresWidth_px(metrics, line));
   drawFigures(painter, QRect(20, lineTop, lineRoom_px, lineHeight_px()), Qt::AlignLeft, line);
   // What a drag would do, as long as the pointer is here and there is room beside the figures.
   const int hint_px = lineRoom_px - figuresWidth_px(metrics, line) - 48;

@@ -15,8 +15,9 @@ class DgcColumn;
 class FocusScale;
 
 /// The scan: the image pixel for pixel on black, and around it what a machine shows: depth scale, marker, focus marks, DGC sliders at
-/// their depths, and in M-mode the strip of one beam over time, below the image or instead of it. Scale and sliders stand in the black
-/// corners beside the fan where it leaves them room, so that the image may be as large as the view; no slider lies on the fan.
+/// their depths, and in M-mode the strip of one beam over time, below the image or instead of it; likewise the spectrum of a sample volume.
+/// Scale and sliders stand in the black corners beside the fan where it leaves them room, so that the image may be as large as the view; no
+/// slider lies on the fan.
 class ScanView final : public QWidget {
   Q_OBJECT
 
@@ -25,7 +26,7 @@ class ScanView final : public QWidget {
 
   /// Where the image lies in the widget, in widget pixels. In M-mode alone nothing is drawn there but the strip.
   [[nodiscard]] QRect imageRect() const;
-  /// Where the M-mode strip lies; empty in B-mode.
+  /// Where the strip of the M-mode or the spectrum lies; empty in B-mode.
   [[nodiscard]] QRect stripRect() const;
   /// What the fan of the image covers, in widget pixels; all of a wide image. Empty without an image.
   [[nodiscard]] std::vector<QRect> fanRects() const;
@@ -100,8 +101,8 @@ class ScanView final : public QWidget {
   [[nodiscard]] int barRoom_px() const;    ///< room for the bar of colours
   [[nodiscard]] QRect roomOfBar() const;
   void placeColourBar();
-  [[nodiscard]] QRect wholeRect() const;  ///< room for the image, beside the scales
-  [[nodiscard]] DisplayMode mode() const { return session_.imageKnobs().mode; }
+  [[nodiscard]] QRect wholeRect() const;   ///< room for the image, beside the scales
+  [[nodiscard]] DisplayMode mode() const;  ///< that is shown: without blood there is no spectrum
   [[nodiscard]] bool isBesideVolume() const;
   [[nodiscard]] bool isInAir() const;
   void paintEndOfData(QPainter& painter, double end_mm);

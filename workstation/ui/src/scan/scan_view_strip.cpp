@@ -1,4 +1,4 @@
-// The M-mode of the scan view: its line on the image, and its strip.
+// The M-mode and the spectrum of the scan view: line and sample volume on the image, and the strip.
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,33 @@
 #include "ew/widgets/qt_image.h"
 #include "ew/widgets/theme.h"
 #include "scan/scan_view.h"
+#include "scan/spectrum_on_image.h"
 #include "scan/tracking_overlay.h"
 
 namespace ew::ui {
+namespace {
+
+/// Across a strip; labels stay apart.
+void paintSeconds(QPainter& painter, const QRect& box, double sweep_s) {
+  const int labelled_s = box.width() / sweep_s < scaled(40.0) ? (box.width() / sweep_s < scaled(20.0) ? 4 : 2) : 1;
+  painter.setFont(smallFont());
+  painter.setPen(QPen(scanTheme().quiet, 1.0));
+  for (int second = 0; second <= static_cast<int>(sweep_s + 1e-9); ++second) {
+    const int x = box.left() + static_cast<int>(std::lround(second / sweep_s * (box.width() - 1)));
+    const bool labelled = second % labelled_s == 0;
+    painter.drawLine(x, box.bottom() + 2, x, box.bottom() + (labelled ? 8 : 5));
+    if (labelled && second > 0) {
+      drawFigures(painter, QRect(x - 40, box.bottom() + 8, 44, scaled(16)), Qt::AlignRight, ScanView::tr("%1 s").arg(second));
+    }
+  }
+}
+
+}  // namespace
+
+DisplayMode ScanView::mode() const {
+  const DisplayMode asked = session_.imageKnobs().mode;
+  return asked == DisplayMode::spectrum && !knobsWithGate(session_) ? DisplayMode::bMode : asked;
+}
 
 QRect ScanView::stripRect() const {
   const QRect display = imageRect();
@@ -54,19 +78,7 @@ void ScanView::paintStrip(QPainter& painter) {
     painter.setPen(QPen(theme.accent, 1.0));
     painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
   }
-  // Seconds across the strip; labels stay apart.
-  const double sweep_s = std::max(1.0, session_.imageKnobs().mSweep_s);
-  const int labelled_s = box.width() / sweep_s < scaled(40.0) ? (box.width() / sweep_s < scaled(20.0) ? 4 : 2) : 1;
-  painter.setFont(smallFont());
-  painter.setPen(QPen(theme.quiet, 1.0));
-  for (int second = 0; second <= static_cast<int>(sweep_s + 1e-9); ++second) {
-    const int x = box.left() + static_cast<int>(std::lround(second / sweep_s * (box.width() - 1)));
-    const bool labelled = second % labelled_s == 0;
-    painter.drawLine(x, box.bottom() + 2, x, box.bottom() + (labelled ? 8 : 5));
-    if (labelled && second > 0) {
-      drawFigures(painter, QRect(x - 40, box.bottom() + 8, 44, scaled(16)), Qt::AlignRight, tr("%1 s").arg(second));
-    }
-  }
+  paintSeconds(painter, box, std::max(1.0, session_.imageKnobs().mSweep_s));
 }
 
 }  // namespace ew::ui

@@ -184,11 +184,9 @@ void Session::setCaseScene(const Scene& asked) {
 
 bool Session::changesByItself() const {
   if (!subject() || !scan_.isLive() || scan_.image.isEmpty()) return false;
-  if (subject()->changesIn(scan_.live.scene, scan_.live.knobs)) {
-    // A body that moves may be held still; blood flows on.
-    const bool showsBlood = scan_.live.knobs.colour && subject()->showsColour();
-    if (showsBlood || breath_.movesAfter(scan_.shown.time_s)) return true;
-  }
+  // A body that moves may be held still; blood flows on.
+  if (subject()->flowsIn(scan_.live.knobs)) return true;
+  if (subject()->movesIn(scan_.live.scene) && breath_.movesAfter(scan_.shown.time_s)) return true;
   return scan_.live.scene.noise || scan_.live.knobs.mode != DisplayMode::bMode || scan_.unsettledFrames > 0 || frames_.isLowered() ||
          probeControl_.movesAfter(scan_.shown.time_s);
 }

@@ -13,15 +13,15 @@
 #include "scan/probe_control.h"
 #include "scan/scan_console.h"
 #include "scan/scan_contents.h"
+#include "scan/spectrum_trace.h"
 
 namespace ew::ui {
 
 /// The scan in the window: a Scanner, where its poses come from, and when the next image is due. No widgets. Every change asks for a new
 /// image; changes of one turn of the event loop make one image. Where the image changes by itself (noise, blood in colours, a persistence
-/// that has not settled, M-mode, a lowered quality) frames keep coming while somebody watches, at most about 28 a second and never more
-/// than half of the time, so that the window stays responsive: frames are skipped, not queued.
-/// Its topics are objects of their own, each with its signals; here is what holds them together: the subject, the image, and what is
-/// shown in place of a live one.
+/// that has not settled, M-mode, a spectrum, a lowered quality) frames keep coming while somebody watches, at most about 28 a second and
+/// never more than half of the time, so that the window stays responsive: frames are skipped, not queued. Its topics are objects of their
+/// own, each with its signals; here is what holds them together: the subject, the image, and what is shown in place of a live one.
 class Session final : public QObject {
   Q_OBJECT
 
@@ -40,6 +40,9 @@ class Session final : public QObject {
   /// The images before the present one.
   [[nodiscard]] CineLoop& cineLoop() { return cineLoop_; }
   [[nodiscard]] const CineLoop& cineLoop() const { return cineLoop_; }
+  /// What is read off the spectrum that is shown.
+  [[nodiscard]] SpectrumTrace& spectrumTrace() { return spectrumTrace_; }
+  [[nodiscard]] const SpectrumTrace& spectrumTrace() const { return spectrumTrace_; }
   /// What the patient is asked to do.
   [[nodiscard]] PatientBreath& breath() { return breath_; }
   [[nodiscard]] const PatientBreath& breath() const { return breath_; }
@@ -147,6 +150,7 @@ class Session final : public QObject {
   ScanConsole console_{scan_, frames_, probeControl_};
   CineLoop cineLoop_{scan_, frames_};
   PatientBreath breath_{scan_, frames_};
+  SpectrumTrace spectrumTrace_{scan_, frames_};
   Recorded recorded_;
   std::shared_ptr<const Volume> caseLabels_;  ///< while others are shown that are being edited
   bool isFreezing_ = false;

@@ -11,6 +11,7 @@
 #include "ew/widgets/words.h"
 #include "jobs/jobs.h"
 #include "scan/session.h"
+#include "scan/spectrum_on_image.h"
 
 namespace ew::ui {
 namespace {
@@ -103,6 +104,10 @@ void Calipers::takeInto(CaliperKind kind, const CaliperDrawing::Purpose& asked) 
 }
 
 void Calipers::takeInStrip(CaliperKind kind, const CaliperDrawing::Purpose& asked) {
+  if (knobsWithGate(session_)) {
+    Q_EMIT said(tr("This tool measures the strip of the M-mode. Velocities and times of a spectrum are read automatically, below it."));
+    return;
+  }
   if (!hasStrip()) {
     Q_EMIT said(tr("This is measured in the strip of the M-mode. Switch to B + M or M (M)."));
     return;
@@ -118,7 +123,9 @@ void Calipers::takeInStrip(CaliperKind kind, const CaliperDrawing::Purpose& aske
 }
 
 bool Calipers::hasStrip() const {
-  return session_.seen().strip().width > 0 && session_.seen().strip().height > 1 && session_.geometry().depth_mm > 0.0;
+  // The rows of a spectrum are velocities: nothing of an M-mode's depth is measured there.
+  return !knobsWithGate(session_) && session_.seen().strip().width > 0 && session_.seen().strip().height > 1 &&
+         session_.geometry().depth_mm > 0.0;
 }
 
 measurement::StripPlane Calipers::stripPlane() const { return {session_.seen().mMode(), session_.geometry().depth_mm}; }

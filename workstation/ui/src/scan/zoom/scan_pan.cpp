@@ -7,11 +7,15 @@
 
 namespace ew::ui {
 
-ScanPan::ScanPan(Session& session, ScanView& view) : QObject(&view), session_(session), view_(view), box_(session, view) {
+ScanPan::ScanPan(Session& session, ScanView& view)
+    : QObject(&view), session_(session), view_(view), gate_(session, view), box_(session, view) {
   view_.installEventFilter(this);
   connect(&session_, &Session::imageChanged, this, &ScanPan::showCursor);
   connect(&session_, &Session::frozenChanged, this, &ScanPan::showCursor);
-  connect(&session_, &Session::subjectReplaced, this, [this] { box_.end(); });
+  connect(&session_, &Session::subjectReplaced, this, [this] {
+    gate_.end();
+    box_.end();
+  });
   showCursor();
 }
 
@@ -19,8 +23,9 @@ bool ScanPan::pans() const { return session_.subject() && !session_.isPlaying() 
 
 void ScanPan::showCursor() {
   if (panning_) return;
-  const auto ofBox = box_.cursor();
+  const auto ofGate = gate_.cursor(), ofBox = box_.cursor();
   const Qt::CursorShape shape = !session_.subject()   ? Qt::ArrowCursor
+                                : ofGate              ? *ofGate
                                 : ofBox               ? *ofBox
                                 : pans()              ? Qt::OpenHandCursor
                                 : session_.isFrozen() ? Qt::ArrowCursor
@@ -28,8 +33,13 @@ void ScanPan::showCursor() {
   if (view_.cursor().shape() != Qt::CrossCursor && view_.cursor().shape() != shape) view_.setCursor(shape);
 }
 
+bool ScanPan::isForWhatLiesThere(const QEvent& event) {
+  if (!box_.isDragging() && gate_.handle(event)) return true;
+  return !gate_.cursor() && box_.handle(event);
+}
+
 bool ScanPan::eventFilter(QObject* watched, QEvent* event) {
-  if (!panning_ && box_.handle(*event)) {
+  if (!panning_ && isForWhatLiesThere(*event)) {
     showCursor();
     return true;
   }
