@@ -13042,6 +13042,10 @@
         <source>without samples or harmonics</source>
         <translation>ohne Abtastwerte und ohne Harmonische</translation>
     </message>
+    <message>
+        <source>B-mode and spectrum</source>
+        <translation>B-Bild und Spektrum</translation>
+    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
@@ -15725,6 +15729,10 @@
         <source>This tool measures in the image, and only the strip of the M-mode is shown. Switch to B or B + M.</source>
         <translation>Dieses Werkzeug misst im Bild, und gezeigt wird nur der Streifen des M-Mode. Auf B oder B + M umschalten.</translation>
     </message>
+    <message>
+        <source>This tool measures the strip of the M-mode. Velocities and times of a spectrum are read automatically, below it.</source>
+        <translation>Dieses Werkzeug misst im Streifen des M-Mode. Geschwindigkeiten und Zeiten eines Spektrums werden selbsttätig gemessen und stehen darunter.</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::CaseFolderDialog</name>
@@ -16468,14 +16476,6 @@
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Colour Doppler: how blood moves (%1)</source>
-        <translation>Farbdoppler: wie sich Blut bewegt (%1)</translation>
-    </message>
-    <message>
-        <source>This case does not say how blood flows, so there is nothing to colour.</source>
-        <translation>Dieser Fall sagt nicht, wie Blut fließt; darum gibt es nichts zu färben.</translation>
-    </message>
-    <message>
         <source>Colour Doppler</source>
         <translation>Farbdoppler</translation>
     </message>
@@ -16694,6 +16694,187 @@
     <message>
         <source>What is sent for colour: lower reaches deeper and has a larger scale; double-click for the usual one</source>
         <translation>Was für Farbe gesendet wird: niedriger reicht tiefer und hat eine größere Skala; Doppelklick für die übliche</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Fluss</translation>
+    </message>
+    <message>
+        <source>Doppler: how blood flows, in colours and as a spectrum (%1)</source>
+        <translation>Doppler: wie Blut fließt, in Farben und als Spektrum (%1)</translation>
+    </message>
+    <message>
+        <source>This case does not say how blood flows, so there is nothing to colour and nothing to listen to.</source>
+        <translation>Dieser Fall sagt nicht, wie Blut fließt; darum gibt es nichts zu färben und nichts zu hören.</translation>
+    </message>
+    <message>
+        <source>The controls of colour Doppler</source>
+        <translation>Die Regler des Farbdopplers</translation>
+    </message>
+    <message>
+        <source>The controls of spectral Doppler</source>
+        <translation>Die Regler des Spektraldopplers</translation>
+    </message>
+    <message>
+        <source>PW</source>
+        <comment>spectral Doppler</comment>
+        <translation>PW</translation>
+    </message>
+    <message>
+        <source>Image and the spectrum of blood in a sample volume over time (%1)</source>
+        <translation>Bild und Spektrum des Blutes in einem Messvolumen über die Zeit (%1)</translation>
+    </message>
+    <message>
+        <source>Spectral Doppler</source>
+        <translation>Spektraldoppler</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Between the Doppler line and the way blood flows: lay the flow line along the vessel, by the wheel over it or by its ends (%1)</source>
+        <translation>Zwischen Dopplerlinie und Strömung: die Flusslinie längs des Gefäßes legen, mit dem Rad über ihr oder an ihren Enden (%1)</translation>
+    </message>
+    <message>
+        <source>Doppler angle</source>
+        <translation>Dopplerwinkel</translation>
+    </message>
+    <message>
+        <source>Sets the angle to −60°</source>
+        <translation>Stellt den Winkel auf −60°</translation>
+    </message>
+    <message>
+        <source>Sets the angle to 0°</source>
+        <translation>Stellt den Winkel auf 0°</translation>
+    </message>
+    <message>
+        <source>Sets the angle to 60°</source>
+        <translation>Stellt den Winkel auf 60°</translation>
+    </message>
+    <message>
+        <source>Tilts the Doppler line, so that it meets a vessel along the skin at less than a right angle</source>
+        <translation>Kippt die Dopplerlinie, damit sie ein Gefäß längs der Haut nicht im rechten Winkel trifft</translation>
+    </message>
+    <message>
+        <source>Steering of the Doppler line</source>
+        <translation>Kippung der Dopplerlinie</translation>
+    </message>
+    <message>
+        <source>Sample volume</source>
+        <translation>Messvolumen</translation>
+    </message>
+    <message>
+        <source>Length of the sample volume: longer sees the whole vessel, shorter only its fast middle; drag its ends in the image</source>
+        <translation>Länge des Messvolumens: länger sieht das ganze Gefäß, kürzer nur seine schnelle Mitte; seine Enden lassen sich im Bild ziehen</translation>
+    </message>
+    <message>
+        <source>Length of the sample volume</source>
+        <translation>Länge des Messvolumens</translation>
+    </message>
+    <message>
+        <source>The fastest velocity along the flow line that is told from its opposite; faster blood comes back at the other end. It ends where echoes from the sample volume would come too late (%1)</source>
+        <translation>Die größte Geschwindigkeit längs der Flusslinie, die von der entgegengesetzten unterschieden wird; schnelleres Blut kommt am anderen Ende wieder. Sie endet, wo Echos aus dem Messvolumen zu spät kämen (%1)</translation>
+    </message>
+    <message>
+        <source>Scale of the spectrum</source>
+        <translation>Skala des Spektrums</translation>
+    </message>
+    <message>
+        <source>Gives one direction more of the strip, and the other less; double-click for the middle</source>
+        <translation>Gibt einer Richtung mehr vom Streifen und der anderen weniger; Doppelklick für die Mitte</translation>
+    </message>
+    <message>
+        <source>Baseline of the spectrum</source>
+        <translation>Nulllinie des Spektrums</translation>
+    </message>
+    <message>
+        <source>Invert spectrum</source>
+        <translation>Spektrum umkehren</translation>
+    </message>
+    <message>
+        <source>Blood towards the probe is below the baseline</source>
+        <translation>Blut zur Sonde hin liegt unter der Nulllinie</translation>
+    </message>
+    <message>
+        <source>Gain of the spectrum and of its sound; double-click for neutral</source>
+        <translation>Verstärkung des Spektrums und seines Tons; Doppelklick für neutral</translation>
+    </message>
+    <message>
+        <source>Gain of the spectrum</source>
+        <translation>Verstärkung des Spektrums</translation>
+    </message>
+    <message>
+        <source>How many decibels of the spectrum lie between black and white</source>
+        <translation>Wie viele Dezibel des Spektrums zwischen Schwarz und Weiß liegen</translation>
+    </message>
+    <message>
+        <source>Dynamic range of the spectrum</source>
+        <translation>Dynamikbereich des Spektrums</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Doppler shifts below are taken out, with the walls that move so slowly</source>
+        <translation>Kleinere Dopplerverschiebungen werden entfernt und mit ihnen die Wände, die sich so langsam bewegen</translation>
+    </message>
+    <message>
+        <source>Wall filter of the spectrum</source>
+        <translation>Wandfilter des Spektrums</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Hüllkurve</translation>
+    </message>
+    <message>
+        <source>Draws the greatest velocity of every moment over the spectrum</source>
+        <translation>Zeichnet die größte Geschwindigkeit jedes Augenblicks über das Spektrum</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>How loud blood is: towards the probe on the left, away from it on the right</source>
+        <translation>Wie laut das Blut ist: zur Sonde hin links, von ihr weg rechts</translation>
+    </message>
+    <message>
+        <source>Volume of the Doppler sound</source>
+        <translation>Lautstärke des Dopplertons</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>No sound of blood</source>
+        <translation>Kein Ton des Blutes</translation>
+    </message>
+    <message>
+        <source>This computer has no sound output that EchoWeave can use.</source>
+        <translation>Dieser Rechner hat keine Tonausgabe, die EchoWeave nutzen kann.</translation>
+    </message>
+    <message>
+        <source>How pulses are sent, and what of blood is shown</source>
+        <translation>Wie Pulse gesendet werden und was vom Blut gezeigt wird</translation>
+    </message>
+    <message>
+        <source>High PRF</source>
+        <translation>Hohe PRF</translation>
+    </message>
+    <message>
+        <source>Sends before the last echo is back: a larger scale, and other depths that answer as well, which the image shows</source>
+        <translation>Sendet, bevor das letzte Echo zurück ist: eine größere Skala, und andere Tiefen antworten mit, die das Bild zeigt</translation>
+    </message>
+    <message>
+        <source>Intrinsic broadening</source>
+        <translation>Eigenverbreiterung</translation>
+    </message>
+    <message>
+        <source>Blood crosses beam and pulse in a time, which widens its line and reads too fast, as on a machine; without it velocities are those of the blood</source>
+        <translation>Blut braucht Zeit durch Strahl und Puls; das verbreitert seine Linie und misst zu schnell, wie an einem Gerät. Ohne sind die Geschwindigkeiten die des Blutes</translation>
     </message>
 </context>
 <context>
@@ -18204,6 +18385,30 @@
         <source>Less gain of colour</source>
         <translation>Weniger Farbverstärkung</translation>
     </message>
+    <message>
+        <source>Spectral Doppler</source>
+        <translation>Spektraldoppler</translation>
+    </message>
+    <message>
+        <source>Larger Doppler angle</source>
+        <translation>Größerer Dopplerwinkel</translation>
+    </message>
+    <message>
+        <source>Smaller Doppler angle</source>
+        <translation>Kleinerer Dopplerwinkel</translation>
+    </message>
+    <message>
+        <source>Larger scale of the spectrum</source>
+        <translation>Größere Skala des Spektrums</translation>
+    </message>
+    <message>
+        <source>Smaller scale of the spectrum</source>
+        <translation>Kleinere Skala des Spektrums</translation>
+    </message>
+    <message>
+        <source>Mute the Doppler sound</source>
+        <translation>Dopplerton stumm</translation>
+    </message>
 </context>
 <context>
     <name>ew::ui::AccessLock</name>
@@ -18562,8 +18767,8 @@
         <translation>&amp;Qualität</translation>
     </message>
     <message>
-        <source>&amp;Colour</source>
-        <translation>&amp;Farbe</translation>
+        <source>&amp;Doppler</source>
+        <translation>&amp;Doppler</translation>
     </message>
 </context>
 <context>
@@ -20048,6 +20253,70 @@ Apache License 2.0. Schnitte und Konsole folgen D. Aiger und D. Cohen-Or, Real-T
     <message>
         <source>drag: resize the colour box</source>
         <translation>ziehen: die Größe des Farbfensters ändern</translation>
+    </message>
+    <message>
+        <source>drag: move the sample volume</source>
+        <translation>ziehen: Messvolumen verschieben</translation>
+    </message>
+    <message>
+        <source>drag: lengthen the sample volume</source>
+        <translation>ziehen: Messvolumen verlängern</translation>
+    </message>
+    <message>
+        <source>drag or wheel: turn the angle</source>
+        <translation>ziehen oder Rad: Winkel drehen</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Beyond 60°: an error of 3° changes the velocity by %1 %</source>
+        <translation>Über 60°: ein Fehler von 3° ändert die Geschwindigkeit um %1 %</translation>
+    </message>
+    <message>
+        <source>PSV %1 ± %2 cm/s</source>
+        <translation>PSV %1 ± %2 cm/s</translation>
+    </message>
+    <message>
+        <source>EDV %1 ± %2 cm/s</source>
+        <translation>EDV %1 ± %2 cm/s</translation>
+    </message>
+    <message>
+        <source>TAMX %1 ± %2 cm/s</source>
+        <translation>TAMX %1 ± %2 cm/s</translation>
+    </message>
+    <message>
+        <source>RI %1</source>
+        <translation>RI %1</translation>
+    </message>
+    <message>
+        <source>PI %1</source>
+        <translation>PI %1</translation>
+    </message>
+    <message>
+        <source>PI –</source>
+        <translation>PI –</translation>
+    </message>
+    <message>
+        <source>HR %1/min</source>
+        <translation>HF %1/min</translation>
+    </message>
+    <message>
+        <source>   angle %1</source>
+        <translation>   Winkel %1</translation>
+    </message>
+    <message>
+        <source>   volume %1 mm</source>
+        <translation>   Volumen %1 mm</translation>
+    </message>
+    <message>
+        <source>   PRF %1 kHz</source>
+        <translation>   PRF %1 kHz</translation>
+    </message>
+    <message>
+        <source>   filter %1 Hz</source>
+        <translation>   Filter %1 Hz</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,4 @@
-// The console's page of colour Doppler.
+// The console's controls of colour Doppler.
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -9,18 +9,13 @@
 
 #include "ew/widgets/figures.h"
 #include "keys/key_tips.h"
-#include "scan/console/console_panel.h"
+#include "scan/console/console_doppler.h"
 
 namespace ew::ui {
 namespace {
 
-constexpr double kLowestPrf_hz = 100.0, kHighestPrf_hz = 20000.0;
-constexpr double kStepsPerDecade = 20.0;  // of the scale: the same share of itself everywhere, for veins as for a stenosis
+constexpr double kHighestPrf_hz = 20000.0;
 
-double prfAt_hz(int step) { return std::round(kLowestPrf_hz * std::pow(10.0, step / kStepsPerDecade)); }
-double stepsTo(double prf_hz) { return kStepsPerDecade * std::log10(prf_hz / kLowestPrf_hz); }
-
-QString speedText(double velocity_mmPerS) { return ConsolePanel::tr("%1 cm/s").arg(figure(velocity_mmPerS / 10.0, 1)); }
 QString shareText(double share) {
   const auto percent = static_cast<int>(std::lround(share * 100.0));
   return percent == 0 ? ConsolePanel::tr("off") : ConsolePanel::tr("%1 %").arg(percent);
@@ -28,14 +23,13 @@ QString shareText(double share) {
 
 }  // namespace
 
-/// The page, and what it keeps.
-class ConsolePanel::ColourPage {
+/// The controls, and what they keep.
+class ConsolePanel::ColourPart final : public DopplerPart {
  public:
-  explicit ColourPage(ConsolePanel& panel) : panel_(panel), session_(panel.session_) {}
+  using DopplerPart::DopplerPart;
   void fill(QVBoxLayout* rows);
 
  private:
-  QSlider* addSlider(QBoxLayout* rows, SliderParts parts, const QString& wholeName);
   void addMaps(QVBoxLayout* rows);
   void addScale(QVBoxLayout* rows);
   void addFilter(QVBoxLayout* rows);
@@ -43,49 +37,35 @@ class ConsolePanel::ColourPage {
   void addFacts(QVBoxLayout* rows);
   void addAdvanced(QVBoxLayout* rows);
   void addFrequency(QVBoxLayout* rows);
-  [[nodiscard]] bool isKnown() const { return session_.subject() && session_.subject()->showsColour(); }
-  [[nodiscard]] bool isOn() const { return session_.console().knobs().colour.has_value(); }
+  [[nodiscard]] bool isOn() const override { return session_.console().knobs().colour.has_value(); }
   /// Those of the console, also while colour is off.
   [[nodiscard]] Knobs knobs() const;
   [[nodiscard]] ColourDoppler colour() const { return *knobs().colour; }
   [[nodiscard]] ColourBox box() const { return colourBoxOf(session_.console().probe(), knobs()); }
   void change(const std::function<void(ColourDoppler&)>& apply);
 
-  ConsolePanel& panel_;
-  Session& session_;
   ColourDoppler remembered_;  ///< colour that is switched on again is as it was
 };
 
-void ConsolePanel::addColourPage(QVBoxLayout* rows) {
-  colourPage_ = std::make_shared<ColourPage>(*this);
-  colourPage_->fill(rows);
+void ConsolePanel::addColourPart(QVBoxLayout* rows) {
+  auto part = std::make_shared<ColourPart>(*this);
+  part->fill(rows);
+  colourPart_ = std::move(part);
 }
 
-Knobs ConsolePanel::ColourPage::knobs() const {
+Knobs ConsolePanel::ColourPart::knobs() const {
   Knobs knobs = session_.console().knobs();
   if (!knobs.colour) knobs.colour = remembered_;
   return knobs;
 }
 
-void ConsolePanel::ColourPage::change(const std::function<void(ColourDoppler&)>& apply) {
+void ConsolePanel::ColourPart::change(const std::function<void(ColourDoppler&)>& apply) {
   panel_.change([&apply](Knobs& k) {
     if (k.colour) apply(*k.colour);
   });
 }
 
-QSlider* ConsolePanel::ColourPage::addSlider(QBoxLayout* rows, SliderParts parts, const QString& wholeName) {
-  parts.isOn = [this, may = std::move(parts.isOn)] { return isOn() && may(); };
-  parts.isThere = [this, may = std::move(parts.isThere)] { return isKnown() && may(); };
-  QSlider* slider = panel_.addSlider(rows, std::move(parts));
-  slider->setAccessibleName(wholeName);  // elsewhere it stands beside those of the image
-  return slider;
-}
-
-void ConsolePanel::ColourPage::fill(QVBoxLayout* rows) {
-  QLabel* nothing = quietLabel(tr("This case does not say how blood flows, so there is nothing to colour."));
-  nothing->setObjectName(QStringLiteral("noColour"));
-  nothing->setWordWrap(true);
-  rows->addWidget(nothing);
+void ConsolePanel::ColourPart::fill(QVBoxLayout* rows) {
   QCheckBox* on = panel_.addSwitch(
       rows, tr("Colour Doppler"), QStringLiteral("colour"),
       tipWithKeys(tr("Colours blood that moves within the box; drag the box, its edges and corners in the image (%1)"), "colour"));
@@ -96,9 +76,8 @@ void ConsolePanel::ColourPage::fill(QVBoxLayout* rows) {
   inside->setContentsMargins(0, 4, 0, 0);
   inside->setSpacing(0);
   rows->addWidget(body);
-  panel_.shows_.emplace_back([this, nothing, on, body] {
+  panel_.shows_.emplace_back([this, on, body] {
     if (isOn() && !session_.isPlaying()) remembered_ = colour();
-    nothing->setVisible(!isKnown());
     on->setVisible(isKnown());
     body->setVisible(isKnown());
     on->setChecked(isOn());
@@ -112,7 +91,7 @@ void ConsolePanel::ColourPage::fill(QVBoxLayout* rows) {
                              tr("How many pulses and lines an image of colour is made of, and what of it is shown")));
 }
 
-void ConsolePanel::ColourPage::addMaps(QVBoxLayout* rows) {
+void ConsolePanel::ColourPart::addMaps(QVBoxLayout* rows) {
   ChoiceParts shows{
       {},
       QStringLiteral("colourShows"),
@@ -143,13 +122,13 @@ void ConsolePanel::ColourPage::addMaps(QVBoxLayout* rows) {
 }
 
 /// The Nyquist velocity, by the PRF: no more than the lower edge of the box lets come back.
-void ConsolePanel::ColourPage::addScale(QVBoxLayout* rows) {
+void ConsolePanel::ColourPart::addScale(QVBoxLayout* rows) {
   const auto most_hz = [this] {
     Knobs fastest = knobs();
     fastest.colour->prf_hz = kHighestPrf_hz;
     return colourBoxOf(session_.console().probe(), fastest).prf_hz;
   };
-  const auto lastStep = [most_hz] { return static_cast<int>(std::ceil(stepsTo(most_hz()) - 1e-9)); };
+  const auto lastStep = [most_hz] { return static_cast<int>(std::ceil(stepsToPrf(most_hz()) - 1e-9)); };
   SliderParts scale;
   scale.name = tr("Scale");
   scale.objectName = QStringLiteral("colourScale");
@@ -162,7 +141,7 @@ void ConsolePanel::ColourPage::addScale(QVBoxLayout* rows) {
   scale.range = [lastStep] { return std::pair{0, lastStep()}; };
   scale.get = [this, most_hz, lastStep] {
     const double prf_hz = box().prf_hz;
-    return prf_hz >= most_hz() ? lastStep() : std::min(rounded(stepsTo(prf_hz)), lastStep());
+    return prf_hz >= most_hz() ? lastStep() : std::min(rounded(stepsToPrf(prf_hz)), lastStep());
   };
   scale.set = [this, most_hz](int v) { change([prf_hz = std::min(prfAt_hz(v), most_hz())](ColourDoppler& c) { c.prf_hz = prf_hz; }); };
   scale.text = [this] { return speedText(box().nyquist_mmPerS); };
@@ -189,7 +168,7 @@ void ConsolePanel::ColourPage::addScale(QVBoxLayout* rows) {
   addSlider(rows, std::move(baseline), tr("Colour baseline"));
 }
 
-void ConsolePanel::ColourPage::addFilter(QVBoxLayout* rows) {
+void ConsolePanel::ColourPart::addFilter(QVBoxLayout* rows) {
   panel_.addSegments(rows, {tr("Wall filter"),
                             QStringLiteral("wallFilter"),
                             {{tr("Low"), QStringLiteral("wallLow"), tr("Keeps slow blood, and flashes where tissue moves")},
@@ -200,22 +179,19 @@ void ConsolePanel::ColourPage::addFilter(QVBoxLayout* rows) {
                             [this] { return isOn(); }});
 }
 
-void ConsolePanel::ColourPage::addSteering(QVBoxLayout* rows) {
-  const auto most_deg = [this] {
-    return static_cast<int>(std::floor(glm::degrees(std::min(session_.console().probe().maxSteering_rad, kMostColourSteering_rad)) + 1e-9));
-  };
+void ConsolePanel::ColourPart::addSteering(QVBoxLayout* rows) {
   SliderParts steering;
   steering.name = tr("Steering");
   steering.objectName = QStringLiteral("colourSteering");
   steering.widest = QStringLiteral("−20°");
   steering.tip = tr("Tilts the box, so that its beams meet a vessel along the skin at less than a right angle");
   steering.page = 5;
-  steering.range = [most_deg] { return std::pair{-most_deg(), most_deg()}; };
+  steering.range = [this] { return std::pair{-mostSteering_deg(), mostSteering_deg()}; };
   steering.get = [this] { return rounded(glm::degrees(box().steering_rad)); };
   steering.set = [this](int v) { change([v](ColourDoppler& c) { c.steering_rad = glm::radians(static_cast<double>(v)); }); };
   steering.text = [this] { return tr("%1°").arg(rounded(glm::degrees(box().steering_rad))); };
   steering.isOn = [this] { return !session_.console().knobs().trapezoid; };
-  steering.isThere = [this, most_deg] { return session_.console().probe().kind == ProbeKind::linear && most_deg() > 0; };
+  steering.isThere = [this] { return session_.console().probe().kind == ProbeKind::linear && mostSteering_deg() > 0; };
   steering.neutral = [] { return 0; };
   addSlider(rows, std::move(steering), tr("Colour steering"));
   QCheckBox* invert = panel_.addSwitch(rows, tr("Invert colours"), QStringLiteral("colourInvert"),
@@ -227,14 +203,14 @@ void ConsolePanel::ColourPage::addSteering(QVBoxLayout* rows) {
   });
 }
 
-void ConsolePanel::ColourPage::addFacts(QVBoxLayout* rows) {
+void ConsolePanel::ColourPart::addFacts(QVBoxLayout* rows) {
   rows->addSpacing(4);
   panel_.addFact(rows, tr("Filter edge"), QStringLiteral("888.8 cm/s"), [this] { return speedText(box().wallEdge_mmPerS); });
   panel_.addFact(rows, tr("PRF"), QStringLiteral("88.88 kHz"), [this] { return tr("%1 kHz").arg(figure(box().prf_hz / 1000.0, 2)); });
   panel_.addFact(rows, tr("Images per second"), QStringLiteral("888.8"), [this] { return figure(1.0 / box().frame_s, 1); });
 }
 
-void ConsolePanel::ColourPage::addAdvanced(QVBoxLayout* rows) {
+void ConsolePanel::ColourPart::addAdvanced(QVBoxLayout* rows) {
   addSlider(rows,
             {tr("Packet"), QStringLiteral("colourPacket"), tr("%1 pulses").arg(88),
              tr("Pulses along each line: more of them are surer of velocities and of slow blood, and take longer"), 2, kMostPacket, 2,
@@ -280,7 +256,7 @@ void ConsolePanel::ColourPage::addAdvanced(QVBoxLayout* rows) {
   addFrequency(rows);
 }
 
-void ConsolePanel::ColourPage::addFrequency(QVBoxLayout* rows) {
+void ConsolePanel::ColourPart::addFrequency(QVBoxLayout* rows) {
   const auto tenths = [](double carrier_hz) { return rounded(carrier_hz / 1e5); };
   const auto usual = [this, tenths] {
     Knobs usualKnobs = knobs();

@@ -1,4 +1,4 @@
-#include "scan/console/console_panel.h"
+#include "scan/console/console_doppler.h"
 
 #include <QApplication>
 #include <QButtonGroup>
@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <array>
 
 #include "ew/widgets/double_click.h"
 #include "ew/widgets/figures.h"
@@ -31,6 +32,12 @@ namespace ew::ui {
 namespace {
 
 constexpr int kSlider_px = 96, kShortSlider_px = 52;
+
+/// Of a button between others, by where it stands as they are read.
+Look lookOfSegment(bool isFirst, bool isLast) {
+  const bool isAtLeft = QApplication::isRightToLeft() ? isLast : isFirst, isAtRight = QApplication::isRightToLeft() ? isFirst : isLast;
+  return isAtLeft ? Look::firstOf : isAtRight ? Look::lastOf : Look::segment;
+}
 
 }  // namespace
 
@@ -72,11 +79,11 @@ ConsolePanel::ConsolePanel(Session& session, QWidget* parent) : QWidget(parent),
                    addImagePage(page);
                  }),
                  tr("Image"));
-  pages_->addTab(makePage([this](QVBoxLayout* page) { addColourPage(page); }), tr("Colour"));
+  pages_->addTab(makePage([this](QVBoxLayout* page) { addDopplerPage(page); }), tr("Flow"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addEffectsPage(page); }), tr("Effects"));
   pages_->addTab(makePage([this](QVBoxLayout* page) { addProbePage(page); }), tr("Probe"));
   const QString keys[] = {tipWithKeys(tr("What the image shows and how (%1)"), "console.nextPage"),
-                          tipWithKeys(tr("Colour Doppler: how blood moves (%1)"), "console.nextPage"),
+                          tipWithKeys(tr("Doppler: how blood flows, in colours and as a spectrum (%1)"), "console.nextPage"),
                           tipWithKeys(tr("What the scene does to the sound (%1)"), "console.nextPage"),
                           tipWithKeys(tr("The transducer and its beams (%1)"), "console.nextPage")};
   pageTips_.assign(std::begin(keys), std::end(keys));
@@ -245,13 +252,14 @@ void ConsolePanel::addSegments(QBoxLayout* rows, ChoiceParts parts) {
     auto* button = new QPushButton(choice.text);
     button->setObjectName(choice.objectName);
     button->setToolTip(choice.tip);
-    button->setAccessibleName(parts.name.isEmpty() ? choice.text : parts.name + QStringLiteral(": ") + choice.text);
+    button->setAccessibleName(!choice.accessibleName.isEmpty() ? choice.accessibleName
+                              : parts.name.isEmpty()           ? choice.text
+                                                               : parts.name + QStringLiteral(": ") + choice.text);
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);  // a click must not take the arrow keys away from the probe
     const bool isFirst = i % parts.perLine == 0;
     const bool isLast = i + 1 == parts.choices.size() || (i + 1) % parts.perLine == 0;
-    const bool isAtLeft = QApplication::isRightToLeft() ? isLast : isFirst, isAtRight = QApplication::isRightToLeft() ? isFirst : isLast;
-    setLook(button, isAtLeft ? Look::firstOf : isAtRight ? Look::lastOf : Look::segment);
+    setLook(button, lookOfSegment(isFirst, isLast));
     if (isFirst && i > 0) {
       column->addLayout(line);
       line = new QHBoxLayout;
@@ -266,11 +274,15 @@ void ConsolePanel::addSegments(QBoxLayout* rows, ChoiceParts parts) {
   connect(group, &QButtonGroup::idClicked, this, [this, set = parts.set](int index) {
     if (!showing_) set(index);
   });
-  shows_.emplace_back([box, buttons, parts = std::move(parts)] {
+  shows_.emplace_back([box, group, buttons, parts = std::move(parts)] {
     const int now = parts.get();
+    group->setExclusive(now >= 0);  // an exclusive group keeps one that is pressed, also where none is chosen
     for (std::size_t i = 0; i < buttons.size(); ++i) {
       buttons[i]->setChecked(static_cast<int>(i) == now);
       buttons[i]->setEnabled(parts.isOn());
+      if (!parts.choices[i].isThere || parts.choices[i].isThere() != buttons[i]->isHidden()) continue;
+      buttons[i]->setVisible(buttons[i]->isHidden());
+      if (i > 0) setLook(buttons[i - 1], lookOfSegment(i == 1, buttons[i]->isHidden()));
     }
     box->setVisible(parts.isThere());
   });
@@ -326,20 +338,37 @@ QCheckBox* ConsolePanel::addSwitch(QBoxLayout* rows, const QString& name, const 
 
 void ConsolePanel::addBelow(QWidget* row) { always_->addWidget(row); }
 
-void ConsolePanel::addAlways(QVBoxLayout* rows) {
-  const auto movesInTime = [this] { return session_.console().knobs().mode != DisplayMode::bMode; };
+void ConsolePanel::addModes(QVBoxLayout* rows) {
+  constexpr std::array kModes{DisplayMode::bMode, DisplayMode::both, DisplayMode::mMode, DisplayMode::spectrum};
+  const auto knowsBlood = [this] { return session_.subject() && session_.subject()->showsColour(); };
   addSegments(rows, {{},
                      QStringLiteral("mode"),
                      {{QStringLiteral("B"), QStringLiteral("modeB"), tr("The image (M for the next mode)")},
                       {QStringLiteral("B + M"), QStringLiteral("modeBoth"), tr("Image and one beam over time (M for the next mode)")},
-                      {QStringLiteral("M"), QStringLiteral("modeM"), tr("One beam over time (M for the next mode)")}},
-                     [this] {
+                      {QStringLiteral("M"), QStringLiteral("modeM"), tr("One beam over time (M for the next mode)")},
+                      {tr("PW", "spectral Doppler"), QStringLiteral("modePw"),
+                       tipWithKeys(tr("Image and the spectrum of blood in a sample volume over time (%1)"), "spectral"), knowsBlood,
+                       tr("Spectral Doppler")}},
+                     [this, kModes, knowsBlood] {
                        const DisplayMode mode = session_.console().knobs().mode;
-                       return mode == DisplayMode::bMode ? 0 : mode == DisplayMode::both ? 1 : 2;
+                       if (mode == DisplayMode::spectrum && !knowsBlood()) return 0;
+                       return static_cast<int>(std::find(kModes.begin(), kModes.end(), mode) - kModes.begin());
                      },
-                     [this](int i) {
-                       change([i](Knobs& k) { k.mode = i == 0 ? DisplayMode::bMode : i == 1 ? DisplayMode::both : DisplayMode::mMode; });
+                     [this, kModes](int i) {
+                       change([this, mode = kModes[static_cast<std::size_t>(i)]](Knobs& k) {
+                         k.mode = mode;
+                         if (mode == DisplayMode::spectrum && !k.spectral) k.spectral = firstSpectrum(session_.console().probe(), k);
+                       });
                      }});
+}
+
+void ConsolePanel::addAlways(QVBoxLayout* rows) {
+  const auto hasBeam = [this] {
+    const DisplayMode mode = session_.console().knobs().mode;
+    return mode == DisplayMode::mMode || mode == DisplayMode::both;
+  };
+  const auto movesInTime = [this] { return session_.console().knobs().mode != DisplayMode::bMode; };
+  addModes(rows);
   SliderParts line{
       tr("M line"),
       QStringLiteral("mLine"),
@@ -354,7 +383,7 @@ void ConsolePanel::addAlways(QVBoxLayout* rows) {
         return tr("%1 %").arg(rounded(session_.console().knobs().mLine * 100.0) * (session_.console().knobs().markerLeft ? -1 : 1));
       },
       [] { return true; },
-      movesInTime};
+      hasBeam};
   addSlider(rows, std::move(line));
   addSlider(rows,
             {tr("Sweep"), QStringLiteral("sweep"), QStringLiteral("16 s"),
@@ -418,8 +447,10 @@ void ConsolePanel::step(const QString& control, int steps) {
     if (slider->isEnabled() && !slider->parentWidget()->isHidden()) slider->setValue(slider->value() + steps * slider->pageStep());
   } else if (auto* group = findChild<QButtonGroup*>(control)) {
     const int count = static_cast<int>(group->buttons().size());
-    QAbstractButton* next = group->button((group->checkedId() + steps + count) % count);
-    if (next->isEnabled()) next->click();
+    int next = group->checkedId();
+    do next = (next + steps + count) % count;
+    while (group->button(next)->isHidden());
+    if (group->button(next)->isEnabled()) group->button(next)->click();
   } else if (auto* choice = findChild<QComboBox*>(control)) {
     if (choice->count() < 2) return;
     choice->setCurrentIndex((choice->currentIndex() + steps + choice->count()) % choice->count());

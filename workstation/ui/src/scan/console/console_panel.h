@@ -30,7 +30,7 @@ namespace ew::ui {
 class KeyTips;
 
 /// The machine's front panel. Gain and depth are always under the thumb, and so are mode, orientation and freeze; between them lie four
-/// pages: the image, its colours, the effects of the scene, the probe. It shows and sets the session's knobs and scene; the DGC sliders
+/// pages: the image, Doppler, the effects of the scene, the probe. It shows and sets the session's knobs and scene; the DGC sliders
 /// stand beside the image (dgc_column.h). What is off looks off; what a probe does not have is not there.
 class ConsolePanel final : public QWidget {
   Q_OBJECT
@@ -83,6 +83,8 @@ class ConsolePanel final : public QWidget {
   };
   struct Choice {
     QString text, objectName, tip;
+    std::function<bool()> isThere = {};  ///< empty: always
+    QString accessibleName = {};         ///< empty: the text says it
   };
   struct ChoiceParts {
     QString name, objectName;
@@ -114,7 +116,10 @@ class ConsolePanel final : public QWidget {
   void addGainLaws(QVBoxLayout* rows);
   void addZoomButtons(QVBoxLayout* rows);
   void addAdvanced(QVBoxLayout* rows);
-  void addColourPage(QVBoxLayout* rows);
+  void addDopplerPage(QVBoxLayout* rows);
+  void addColourPart(QVBoxLayout* rows);
+  void addSpectrumPart(QVBoxLayout* rows);
+  void addModes(QVBoxLayout* rows);
   void addEffectsPage(QVBoxLayout* rows);
   void addProbePage(QVBoxLayout* rows);
   void addTransducers(QVBoxLayout* rows);
@@ -137,8 +142,11 @@ class ConsolePanel final : public QWidget {
   bool showing_ = false;
   std::vector<std::function<void()>> shows_;  ///< each brings one control to what the session says
   Scene remembered_;                          ///< an effect that is switched on again has the strength it had
-  class ColourPage;
-  std::shared_ptr<ColourPage> colourPage_;
+  class DopplerPart;
+  class ColourPart;
+  class SpectrumPart;
+  std::shared_ptr<DopplerPart> colourPart_, spectrumPart_;
+  bool showsSpectrumPart_ = false;  ///< of the page of Doppler
   QTabWidget* pages_ = nullptr;
   std::vector<QString> pageTips_;
   std::vector<QPushButton*> folds_;

@@ -28,7 +28,7 @@ void ConsoleMenus::addConsoleMenu(QMenu& console) {
   parts_.zoomAndWide->addActions(console);
   console.addSeparator();
   addImageMenu(*console.addMenu(tr("&Image")));
-  addColourMenu(*console.addMenu(tr("&Colour")));
+  addDopplerMenu(*console.addMenu(tr("&Doppler")));
   addEffectsMenu(*console.addMenu(tr("&Effects")));
   addProbeMenu(*console.addMenu(tr("&Probe")));
   addTimeMenu(*console.addMenu(tr("&M-mode")));
@@ -86,14 +86,22 @@ void ConsoleMenus::addImageMenu(QMenu& image) {
   commands.addConsole(image, "flip.upsideDown", "upsideDown", 1);
 }
 
-void ConsoleMenus::addColourMenu(QMenu& colour) {
+void ConsoleMenus::addDopplerMenu(QMenu& doppler) {
   Commands& commands = *parts_.commands;
-  commands.addConsole(colour, "colour", "colour", 1);
-  colour.addSeparator();
-  commands.addConsole(colour, "colour.scaleMore", "colourScale", 1);
-  commands.addConsole(colour, "colour.scaleLess", "colourScale", -1);
-  commands.addConsole(colour, "colour.gainMore", "colourGain", 1);
-  commands.addConsole(colour, "colour.gainLess", "colourGain", -1);
+  commands.addConsole(doppler, "colour", "colour", 1);
+  doppler.addSeparator();
+  commands.addConsole(doppler, "colour.scaleMore", "colourScale", 1);
+  commands.addConsole(doppler, "colour.scaleLess", "colourScale", -1);
+  commands.addConsole(doppler, "colour.gainMore", "colourGain", 1);
+  commands.addConsole(doppler, "colour.gainLess", "colourGain", -1);
+  doppler.addSeparator();
+  commands.addConsole(doppler, "spectral", "modePw", 1);
+  doppler.addSeparator();
+  commands.addConsole(doppler, "spectral.angleMore", "spectralAngle", 1);
+  commands.addConsole(doppler, "spectral.angleLess", "spectralAngle", -1);
+  commands.addConsole(doppler, "spectral.scaleMore", "spectralScale", 1);
+  commands.addConsole(doppler, "spectral.scaleLess", "spectralScale", -1);
+  commands.addConsole(doppler, "spectral.mute", "spectralMute", 1);
 }
 
 void ConsoleMenus::addEffectsMenu(QMenu& effects) {

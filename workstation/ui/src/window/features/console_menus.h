@@ -22,7 +22,7 @@ class ConsoleMenus final : public Feature {
 
  private:
   void addImageMenu(QMenu& image);
-  void addColourMenu(QMenu& colour);
+  void addDopplerMenu(QMenu& doppler);
   void addEffectsMenu(QMenu& effects);
   void addProbeMenu(QMenu& transducer);
   void addTimeMenu(QMenu& time);
