@@ -2,19 +2,16 @@
 #include <QCheckBox>
 #include <QDateTime>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTranslator>
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 
-#include "ew/imaging/flow_sampler.h"
 #include "ew/ui_test_door/colour.h"
 #include "ew/ui_test_door/images.h"
 #include "ew/ui_test_door/measure.h"
-#include "gui/support/console_fixture.h"
+#include "gui/support/doppler_fixture.h"
 #include "gui/support/screenshots.h"
 
 /// Outside of any namespace, as the macro demands.
@@ -22,38 +19,12 @@ static void initTranslations() { Q_INIT_RESOURCE(translations); }
 
 namespace ew::ui::testing {
 
-class ColourTest : public ConsoleFixture {
+class ColourTest : public DopplerFixture {
   Q_OBJECT
 
  private:
-  [[nodiscard]] ScanView& scan() const { return window_->scanView(); }
   [[nodiscard]] const ColourDoppler& colour() const { return *knobs().colour; }
   [[nodiscard]] ColourBox box() const { return colourBoxOf(session().console().probe(), knobs()); }
-  /// A patient whose tissue and blood are known, scanned with a linear probe that steers.
-  void showFlowingBlood() const {
-    Probe linear;
-    linear.id = "test-linear";
-    linear.name = "Test linear";
-    linear.kind = ProbeKind::linear;
-    linear.carriers_hz = {5e6, 7.5e6};
-    linear.carrier_hz = 7.5e6;
-    linear.width_mm = 40.0;
-    linear.defaultDepth_mm = 50.0;
-    linear.maxSteering_rad = glm::radians(25.0);
-    linear.trapezoidHalfAngle_rad = glm::radians(10.0);
-    ScanSubject subject = *session().subject();
-    auto tissue = recordedTissueOf(subject.voxels, subject.scene, 1, noProgress());
-    QVERIFY(tissue.has_value());
-    subject.know(*tissue);
-    subject.flow = std::make_shared<const FlowSampler>(FlowField{});
-    std::vector<Probe> all = session().console().allProbes();
-    all.push_back(linear);
-    subject.probes = {linear.id, "convex-3.5"};
-    session().console().setProbes(all);
-    session().show(subject);
-    QCOMPARE(session().console().probe().id, linear.id);
-    session().makeImageNow();
-  }
   void switchOn() const {
     press("colour");
     QVERIFY(knobs().colour.has_value());
@@ -65,24 +36,6 @@ class ColourTest : public ConsoleFixture {
     const double x = std::lerp(now.left, now.right, 0.5 * (across + 1.0)) * faceHalfWidth_mm(session().console().probe());
     const double y = std::lerp(now.top_mm, now.bottom_mm, 0.5 * (along + 1.0));
     return scan().positionOf({{x, y, 0.0}}).toPoint();
-  }
-  void moveTo(const QPoint& at, Qt::MouseButtons held) const {
-    QMouseEvent move(QEvent::MouseMove, at, scan().mapToGlobal(at), Qt::NoButton, held, Qt::NoModifier);
-    QApplication::sendEvent(&scan(), &move);
-  }
-  void drag(const QPoint& from, const QPoint& to) const {
-    QTest::mousePress(&scan(), Qt::LeftButton, Qt::NoModifier, from);
-    moveTo((from + to) / 2, Qt::LeftButton);
-    moveTo(to, Qt::LeftButton);
-    QTest::mouseRelease(&scan(), Qt::LeftButton, Qt::NoModifier, to);
-  }
-  void checkNothingIsClipped() const {
-    for (const QLabel* label : window_->console().findChildren<QLabel*>())
-      if (label->isVisible() && !label->wordWrap())
-        QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->objectName() + label->text()));
-    for (const QAbstractButton* button : window_->console().findChildren<QAbstractButton*>())
-      if (button->isVisible() && !button->text().isEmpty())
-        QVERIFY2(button->width() >= button->minimumSizeHint().width() - 1, qPrintable(button->text()));
   }
   void showColourPage() const {
     window_->console().showPage(find<QCheckBox>("colour"));
