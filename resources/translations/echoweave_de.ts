@@ -13042,10 +13042,6 @@
         <source>without samples or harmonics</source>
         <translation>ohne Abtastwerte und ohne Harmonische</translation>
     </message>
-    <message>
-        <source>B-mode and spectrum</source>
-        <translation>B-Bild und Spektrum</translation>
-    </message>
 </context>
 <context>
     <name>ew::EffectInfo</name>
