@@ -21,14 +21,14 @@ struct FlowBenchOptions {
 };
 
 /// What Doppler costs and how near it comes.
-/// Time: whole frames as the window makes them, the probe sliding about the case's start, at 25 frames a second of the patient's time;
-/// every setting makes a frame of one pose before any makes the next, so that a busy machine is busy for all. "Added" is the median of what
-/// each frame took more than the same frame without Doppler.
-/// Accuracy: the colour box on the axis of a straight vessel (flow_trial.h) against its true velocity, and beside it scatterers that are
-/// moved through the same gate one by one: their scatter is what colour's is to be, and what a packet of them takes is what colour saves.
-/// The result: {"machine", "frames", "packets", "width", "height", "results": [{"name", "case", "setting", "threads", "median_ms",
-/// "p99_ms", "added_ms", "added_p99_ms"}], "accuracy": [{"angle_deg", "signal_to_noise_db", "truth", "colour", "colour_deviation",
-/// "scatterers", "scatterers_deviation", "colour_us", "scatterers_us"}], "must_show": [{"name", "value", "limit", "met"}]}.
+/// Time: whole frames as the window makes them, the probe sliding about the case's pose that shows most blood, at 25 frames a second of the
+/// patient's time; every setting makes a frame of one pose before any makes the next, so that a busy machine is busy for all. "Added" is
+/// the median of what each frame took more than the same frame without Doppler. Accuracy: the colour box on the axis of a straight vessel
+/// (flow_trial.h) against its true velocity, and beside it scatterers that are moved through the same gate one by one: their scatter is
+/// what colour's is to be, and what a packet of them takes is what colour saves. The result: {"machine", "frames", "packets", "width",
+/// "height", "results": [{"name", "case", "setting", "threads", "median_ms", "p99_ms", "added_ms", "added_p99_ms"}], "accuracy":
+/// [{"angle_deg", "signal_to_noise_db", "truth", "colour", "colour_deviation", "scatterers", "scatterers_deviation", "colour_us",
+/// "scatterers_us"}], "must_show": [{"name", "value", "limit", "met"}]}.
 /// @error badUsage (an option outside its range, a case without flow), as readContents; cancelled
 [[nodiscard]] Result<nlohmann::json> benchFlow(const FlowBenchOptions& options, Progress& progress);
 
