@@ -24,7 +24,7 @@ struct SpectrumReading {
 /// The same where a reading of earlier columns is known: only what came since is traced.
 [[nodiscard]] SpectrumReading readingOf(const Spectrogram& spectrogram, const Knobs& knobs, const SpectrumReading& before);
 
-/// The reading of the spectrum that is shown. All of it takes 30 ms, so that while the scan runs it grows, a few times a second.
+/// The reading of the spectrum that is shown. All of it takes milliseconds, so that while the scan runs it grows, a few times a second.
 class SpectrumTrace final : public QObject {
   Q_OBJECT
 

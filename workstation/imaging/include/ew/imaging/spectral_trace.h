@@ -35,7 +35,7 @@ struct TraceRule {
 /// The envelope of every column that a spectrogram keeps. The greatest velocity is where power has fallen to half of its level below: right
 /// for a parabola, whose spectrum is even up to there (Vilkomerson, Ricci, Tortoli, IEEE IUS 2011), and within a bin for a plug, whose
 /// spectrum is one line. What smoothing, window and speckle widen is in both halves of the slope.
-/// @param from_s columns before are passed over; each takes some 40 us
+/// @param from_s columns before are passed over; each takes some 5 us
 [[nodiscard]] std::vector<TracePoint> tracedBy(const Spectrogram& spectrogram, const TraceRule& rule,
                                                double from_s = -std::numeric_limits<double>::infinity());
 

@@ -17,8 +17,8 @@ namespace ew::ui {
 namespace {
 
 constexpr double kMostQueued_s = 0.15;
-constexpr double kLead_s = 0.05;    // before the first sound, so that a late frame leaves no hole
-constexpr double kLoudness = 0.02;  // of a sample whose spectrum is just above black
+constexpr double kLead_s = 0.05;   // before the first sound, so that a late frame leaves no hole
+constexpr double kLoudness = 0.5;  // of a sample whose power is that of black, as those of a carotid are about
 const auto kVolumeSetting = QStringLiteral("dopplerVolume");
 const auto kMutedSetting = QStringLiteral("dopplerMuted");
 
