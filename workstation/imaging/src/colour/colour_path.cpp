@@ -417,7 +417,7 @@ void ColourPath::draw(ImageView<const std::uint8_t> grey, const ColourMemory& me
       const double strength = std::clamp(10.0 * std::log10(static_cast<double>(r0)) / kPowerRange_db, 0.0, 1.0);
       value = colour_.shows == ColourShows::power || value >= 0.0 ? strength : -strength;
     }
-    auto index = std::clamp(static_cast<int>((value + 1.0) * (kVelocities / 2)), 0, kVelocities - 1);
+    auto index = std::clamp(static_cast<int>((value + 1.0) * 0.5 * kVelocities), 0, kVelocities - 1);
     if (hasSpread)
       index +=
           kVelocities * std::clamp(static_cast<int>(std::lround(velocitySpread(sums, noiseOfShown_) * (kSpreads - 1))), 0, kSpreads - 1);

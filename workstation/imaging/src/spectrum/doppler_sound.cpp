@@ -51,7 +51,7 @@ std::span<const glm::vec2> DopplerSound::add(std::span<const std::complex<float>
   waiting_.insert(waiting_.end(), samples.begin(), samples.end());
   sound_.clear();
   const double step = prf_hz_ / rate_hz_;
-  constexpr std::size_t kTaps = 2 * kReach;
+  constexpr std::size_t kTaps = std::size_t{2} * kReach;
   for (; next_ + static_cast<double>(kTaps) <= static_cast<double>(waiting_.size()); next_ += step) {
     const auto first = static_cast<std::size_t>(next_);
     const auto phase = std::min(static_cast<std::size_t>((next_ - static_cast<double>(first)) * kPhases), std::size_t{kPhases - 1});
