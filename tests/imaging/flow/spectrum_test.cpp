@@ -303,6 +303,18 @@ TEST(Spectrum, GoesOnWhenItsGainIsTurned) {
   EXPECT_EQ(spectrogram.columns(), 0);
 }
 
+TEST(Spectrum, TellsWhatItRemembersTakes) {
+  ColourScan scan(shotOf({.angle_rad = 45.0 * pi / 180.0}));
+  for (int n = 0; n < 5; ++n) scan.next();
+  const FrameMemory memory = scan.maker().memory();
+  ASSERT_NE(memory.spectrum, nullptr);
+  // At least its strip, a float for each bin of each column, and 600 scatterers of 28 bytes or more.
+  const auto columns = static_cast<std::size_t>(scan.maker().strip().width), rows = static_cast<std::size_t>(scan.maker().strip().height);
+  const std::size_t least = columns * (rows + 4 * static_cast<std::size_t>(scan.maker().spectrogram()->bins())) + 600 * 28;
+  EXPECT_GE(bytesOf(*memory.spectrum), least);
+  EXPECT_LE(bytesOf(*memory.spectrum), 2 * least);
+}
+
 TEST(Spectrum, GoesOnFromWhatItRemembers) {
   const Shot shot = shotOf({.angle_rad = 45.0 * pi / 180.0});
   ColourScan scan(shot), other(shot);

@@ -27,7 +27,8 @@ std::size_t CineRing::bytesOf(const FrameMemory& memory) {
   const ImageView<const std::uint8_t> strip = memory.strip.image();
   const auto width = static_cast<std::size_t>(strip.width), height = static_cast<std::size_t>(strip.height);
   return sizeof(FrameMemory) + kPerAllocation + memory.persistence.levels.capacity() * sizeof(std::uint16_t) +
-         memory.colour.sums.capacity() * sizeof(float) + (width + 2) * height + width * sizeof(float);
+         memory.colour.sums.capacity() * sizeof(float) + (memory.spectrum ? ew::bytesOf(*memory.spectrum) : 0) + (width + 2) * height +
+         width * sizeof(float);
 }
 
 std::size_t CineRing::bytesOf(const Frame& frame) { return sizeof(Frame) + kPerAllocation + frame.gaps_mm.capacity() * sizeof(float); }

@@ -22,6 +22,8 @@ float evenOf(std::uint64_t bits) { return static_cast<float>(bits & 0xffffffU) *
 
 }  // namespace
 
+std::size_t SampleVolume::bytes() { return sizeof(SampleVolume) + kScatterers * sizeof(Scatterer); }
+
 std::uint64_t SampleVolume::keyOf(std::size_t n) const {
   return spreadBits(seed_ + (n + 1) * 0x9e3779b97f4a7c15ULL + (std::uint64_t{scatterers_[n].born} << 40U));
 }

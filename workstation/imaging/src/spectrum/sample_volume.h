@@ -44,6 +44,7 @@ class SampleVolume {
   /// answer is for
   void add(const Flow& flow, std::span<std::complex<float>> samples);
   bool operator==(const SampleVolume&) const = default;
+  [[nodiscard]] static std::size_t bytes();
 
  private:
   struct Scatterer {

@@ -14,6 +14,17 @@
 #include "plan/planning.h"
 #include "spectrum/gate_line.h"
 
+namespace ew {
+
+std::size_t bytesOf(const SpectrumMemory& memory) {
+  const ImageView<const std::uint8_t> strip = memory.spectrogram.strip().image();
+  const auto width = static_cast<std::size_t>(strip.width), height = static_cast<std::size_t>(strip.height);
+  return sizeof(SpectrumMemory) + width * (height + static_cast<std::size_t>(memory.spectrogram.bins()) * sizeof(float)) +
+         memory.volumes.size() * detail::SampleVolume::bytes();
+}
+
+}  // namespace ew
+
 namespace ew::detail {
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -24,5 +25,7 @@ struct ColourMemory {
 
 /// What a sample volume remembers: its spectra, and where its scatterers are.
 struct SpectrumMemory;
+/// What it takes, about: its spectra and strip, and its scatterers.
+[[nodiscard]] std::size_t bytesOf(const SpectrumMemory& memory);
 
 }  // namespace ew
